@@ -1,0 +1,169 @@
+# Each target does its own set-up: an environment under build/, pinned packages, the native module.
+#
+#   make PYTHON=path          use this interpreter (3.11 or 3.13) instead of the first that runs
+#   make demo GRID=path       touch this MOLA grid (.lbl or .img) instead of the synthetic sample
+#   make demo BLENDER=path    run the demo in this Blender (4.2 to 5.2) instead of the bpy module
+#   make test ARGS='-k ...'   hand arguments to pytest
+#   make test BPY=4.2.23      test with another release of the bpy module (one for this Python)
+
+SHELL := bash
+.SHELLFLAGS := -eu -o pipefail -c
+.DEFAULT_GOAL := help
+.DELETE_ON_ERROR:
+MAKEFLAGS += --no-builtin-rules
+
+PYTHON ?=
+GRID ?=
+BLENDER ?=
+BPY ?=
+ARGS ?=
+
+ROOT := $(CURDIR)
+BUILD := build
+
+# Finding an interpreter means running candidates: only for goals that need one. In the person's own
+# Blender (BLENDER=path) the demo needs Python for building only, so any release will do.
+WITHOUT_PYTHON := help clean test-native sample-path
+GOALS := $(or $(MAKECMDGOALS),help)
+ifneq ($(filter-out $(WITHOUT_PYTHON),$(GOALS)),)
+VERSIONS := 3.13 3.11$(if $(BLENDER), 3.14 3.12)
+# A failed search leaves its one line in build/, to be shown by the rule that needs Python.
+FOUND_PYTHON := $(if $(PYTHON),$(PYTHON),$(shell mkdir -p $(BUILD) && .ci/find-python $(VERSIONS) 2>$(BUILD)/no-python))
+PYTHON_VERSION := $(if $(FOUND_PYTHON),$(shell "$(FOUND_PYTHON)" -c 'import sys; print("%d.%d" % sys.version_info[:2])' 2>/dev/null))
+endif
+
+VENV := $(BUILD)/venv-$(or $(PYTHON_VERSION),missing)$(if $(BLENDER),-blender)$(if $(BPY),-bpy-$(BPY))
+BIN := $(VENV)/bin
+PACKAGES := $(VENV)/packages.stamp
+NATIVE := $(VENV)/native.stamp
+SITE := $(BUILD)/site
+SAMPLE := $(BUILD)/sample/sample.lbl
+PACKAGE := $(BUILD)/package
+
+NATIVE_SOURCES := $(shell find native -name target -prune -o -type f \
+	\( -name '*.rs' -o -name 'Cargo.*' -o -name '*.toml' -o -name '*.pyi' -o -name py.typed \) -print)
+ADDON_SOURCES := $(shell find addon -name __pycache__ -prune -o -name wheels -prune -o -type f -print 2>/dev/null)
+PYTHON_CODE := $(wildcard addon blender_scripts tests native/proxygraph)
+TYPED_CODE := $(shell find addon blender_scripts tests -name '*.py' -print -quit 2>/dev/null | sed 's|.*|$(wildcard addon blender_scripts tests)|')
+
+# bpy reads and writes the configuration of the person who runs it, unless told where else.
+export BLENDER_USER_RESOURCES := $(ROOT)/$(BUILD)/blender-user
+# Inside another environment pip and maturin would pick that one.
+export VIRTUAL_ENV := $(ROOT)/$(VENV)
+unexport PYTHONPATH PYTHONHOME
+
+.PHONY: help
+help: ## Show what can be made
+	@echo "Haptic Terrain: touch planetary terrain in Blender"
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' Makefile
+	@echo "Options: PYTHON=path, GRID=path and BLENDER=path for demo, ARGS='...' for test, BPY=version."
+
+# ---------------------------------------------------------------- set-up
+
+.PHONY: venv
+venv: $(PACKAGES) ## Make the virtual environment with its pinned packages
+
+$(PACKAGES): pyproject.toml .ci/debian-packages
+	@test -n "$(FOUND_PYTHON)" || { cat $(BUILD)/no-python >&2; exit 1; }
+	@case "$(PYTHON_VERSION)" in \
+		3.11|3.13) ;; \
+		3.1[2-9]) test -n "$(BLENDER)" || { \
+			echo "Missing: Python 3.11 or 3.13; $(FOUND_PYTHON) is $(PYTHON_VERSION), and bpy does not exist for it." >&2; exit 1; } ;; \
+		*) echo "Missing: Python 3.11 or 3.13; $(FOUND_PYTHON) is '$(PYTHON_VERSION)'." >&2; exit 1 ;; \
+	esac
+	@echo "Making $(VENV)"
+	@"$(FOUND_PYTHON)" -m venv --clear $(VENV)
+	@$(BIN)/python -m pip install --quiet --disable-pip-version-check pip==26.3
+	@$(BIN)/python -m pip install --quiet --group $(if $(BLENDER),build,develop)
+	@$(if $(BPY),$(BIN)/python -m pip install --quiet bpy==$(BPY))
+	@$(if $(BLENDER),,$(BIN)/python -c 'import bpy' || { \
+		echo "Missing: system libraries that bpy loads; on Debian: apt-get install $$(tr '\n' ' ' < .ci/debian-packages)" >&2; exit 1; })
+	@touch $@
+
+.PHONY: cargo
+cargo:
+	@cargo --version >/dev/null 2>&1 || { echo "Missing: Rust (cargo); install a stable toolchain." >&2; exit 1; }
+
+.PHONY: native
+native: $(NATIVE) ## Build the native module into the environment
+
+$(NATIVE): $(PACKAGES) $(NATIVE_SOURCES) | cargo
+	@echo "Building proxygraph"
+	@$(BIN)/maturin develop --quiet --release --manifest-path native/proxygraph/Cargo.toml
+	@touch $@
+
+.PHONY: sample
+sample: $(SAMPLE) ## Write the synthetic sample grid
+
+$(SAMPLE): blender_scripts/make_sample_grid.py $(wildcard blender_scripts/sample_grid/*.py) | $(PACKAGES)
+	@$(BIN)/python blender_scripts/make_sample_grid.py --output $(dir $@)
+
+# ---------------------------------------------------------------- what people run
+
+.PHONY: demo
+ifeq ($(BLENDER),)
+demo: $(NATIVE) $(SAMPLE) ## Touch a grid, live and headless: picture, .blend and figures in build/demo
+	@$(BIN)/python blender_scripts/demo.py --grid "$(or $(GRID),$(SAMPLE))" --output $(BUILD)/demo
+else
+demo: $(SITE)/site.stamp
+	@"$(BLENDER)" --version >/dev/null 2>&1 || { echo "Missing: Blender; $(BLENDER) does not run." >&2; exit 1; }
+	@"$(BLENDER)" --background --factory-startup --python-exit-code 1 --python blender_scripts/demo.py -- \
+		--site $(SITE) $(if $(GRID),--grid "$(GRID)",--sample $(dir $(SAMPLE))) --output $(BUILD)/demo
+endif
+
+# What the person's own Blender lacks, unpacked: one wheel serves every Python from 3.11 on.
+$(SITE)/site.stamp: $(PACKAGES) $(NATIVE_SOURCES) | cargo
+	@echo "Building proxygraph for $(BLENDER)"
+	@rm -rf $(SITE) $(BUILD)/site-wheels
+	@$(BIN)/maturin build --quiet --release --manifest-path native/proxygraph/Cargo.toml --out $(BUILD)/site-wheels \
+		--interpreter $(ROOT)/$(BIN)/python
+	@$(BIN)/python -m pip install --quiet --no-deps --target $(SITE) $(BUILD)/site-wheels/*.whl
+	@$(BIN)/python -m pip install --quiet --target $(SITE) --group blender
+	@touch $@
+
+.PHONY: test
+test: $(NATIVE) $(SAMPLE) ## Run the Python tests: native module, add-on, build
+	@$(BIN)/python -m pytest $(ARGS)
+
+.PHONY: test-native
+test-native: | cargo ## Run the Rust tests
+	@cargo test --quiet --release --manifest-path native/Cargo.toml --workspace
+
+.PHONY: lint
+lint: $(PACKAGES) | cargo ## Check formatting, lints and types
+	@cargo fmt --version >/dev/null 2>&1 || { echo "Missing: rustfmt; rustup component add rustfmt" >&2; exit 1; }
+	@cargo clippy --version >/dev/null 2>&1 || { echo "Missing: clippy; rustup component add clippy" >&2; exit 1; }
+	cargo fmt --manifest-path native/Cargo.toml --all --check
+	cargo clippy --quiet --manifest-path native/Cargo.toml --workspace --all-targets -- -D warnings
+	$(BIN)/ruff check $(PYTHON_CODE)
+	$(BIN)/ruff format --check $(PYTHON_CODE)
+	$(BIN)/mypy $(TYPED_CODE)
+
+.PHONY: format
+format: $(PACKAGES) | cargo ## Format all code in place
+	@cargo fmt --manifest-path native/Cargo.toml --all
+	@$(BIN)/ruff check --quiet --fix $(PYTHON_CODE)
+	@$(BIN)/ruff format --quiet $(PYTHON_CODE)
+
+.PHONY: bench
+bench: $(NATIVE) $(SAMPLE) ## Run every bench: tables, and figures in build/bench/*.json
+	@mkdir -p $(BUILD)/bench
+	@for bench in tests/bench/bench_*.py; do \
+		test -e "$$bench" || { echo "There is no bench in tests/bench." >&2; exit 1; }; \
+		echo; echo "== $$bench"; \
+		$(BIN)/python "$$bench" --output $(BUILD)/bench/$$(basename "$${bench#*bench_}" .py).json; \
+	done
+
+# ---------------------------------------------------------------- the extension
+
+.PHONY: package
+package: $(PACKAGE)/package.stamp ## Build the extension's zip with its wheels
+
+$(PACKAGE)/package.stamp: $(PACKAGES) $(NATIVE_SOURCES) $(ADDON_SOURCES) .ci/package | cargo
+	@$(BIN)/python -m pip install --quiet --group package
+	@.ci/package "$(BIN)" "$(PACKAGE)"
+	@touch $@
+
+.PHONY: clean
+clean: ## Remove everything that was made
+	rm -rf $(BUILD) native/target
