@@ -1,0 +1,94 @@
+//! What every contact model takes and gives.
+
+use surface::{Grid, GridPoint, Metric};
+
+/// What the proxy lies on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Feature {
+    /// Nothing: it is at the goal, in the air (or inside the ground, where the hand began there).
+    Free,
+    /// The inside of a triangle.
+    Face,
+    /// An edge between two triangles.
+    Edge,
+    /// A sample of the grid.
+    Vertex,
+}
+
+/// What one update cost, and which of the rare cases it met.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counters {
+    /// Vertices visited by constrained minimisation (paper 4.4).
+    pub vertices: u32,
+    /// Free-space minimisations begun, each of them one collision test (paper 4.4).
+    pub collision_tests: u32,
+    /// Grid cells that the collision tests went through (paper 3.5).
+    pub cells: u32,
+    /// Steps over the far edge of a triangle (paper 3.3).
+    pub far_edge_crossings: u32,
+    /// Far-edge steps that came round to where they began, and were ended (paper 3.3).
+    pub far_edge_loops: u32,
+    /// Free space re-entered from a vertex already left in the same update, and ended (not in the paper).
+    pub cycles_ended: u32,
+    /// Cells still between proxy and goal when the step budget ran out, at least 1; 0 where the
+    /// update finished.
+    pub steps_left: u32,
+}
+
+/// The outcome of one update.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Contact {
+    /// Where the proxy is now.
+    pub proxy: GridPoint,
+    /// What it lies on.
+    pub feature: Feature,
+    /// Unit vector from the goal to the proxy in the workspace (right, away, up); (0, 0, 1) where
+    /// the two coincide.
+    pub normal: [f64; 3],
+    /// Workspace metres between proxy and goal.
+    pub distance: f64,
+    /// What the update cost.
+    pub counters: Counters,
+}
+
+/// A contact model: state of one proxy, moved toward a goal once in every update.
+///
+/// An update never panics, never yields NaN, never allocates, and never visits more than the
+/// model's step budget allows: what is left is walked in the next updates. A goal that is not
+/// finite leaves the proxy where it is.
+pub trait ContactModel: Send {
+    /// The model's name, as people choose it.
+    fn name(&self) -> &'static str;
+
+    /// Puts the proxy there, out of contact. If that is inside the ground, it stays out of contact
+    /// until it has come out above.
+    fn place(&mut self, at: GridPoint);
+
+    /// Moves the proxy toward `goal`, as near as the surface lets it, distances being measured by
+    /// `metric`.
+    fn update(&mut self, grid: &Grid, metric: &Metric, goal: &GridPoint) -> Contact;
+}
+
+impl Contact {
+    /// The outcome with `proxy` on `feature`, seen from `goal`.
+    pub(crate) fn new(
+        proxy: GridPoint,
+        feature: Feature,
+        goal: &GridPoint,
+        metric: &Metric,
+        counters: Counters,
+    ) -> Self {
+        let [columns, rows, up] = proxy.relative_to(goal.column, goal.row, goal.elevation);
+        let pull = [
+            (columns - goal.u) * metric.column,
+            // Rows run south; the workspace's second axis points away from the hand, north.
+            -(rows - goal.v) * metric.row,
+            up * metric.up,
+        ];
+        let distance = pull[0].hypot(pull[1]).hypot(pull[2]);
+        let normal = pull.map(|length| length / distance);
+        let has_direction = normal.iter().all(|part| part.is_finite());
+        let normal = if has_direction { normal } else { [0.0, 0.0, 1.0] };
+        Self { proxy, feature, normal, distance, counters }
+    }
+}

@@ -1,0 +1,15 @@
+//! Proxy contact models: where the proxy goes when the goal moves.
+//!
+//! The *goal* is the haptic interface point, the hand laid over the terrain. The *proxy* follows it
+//! and stays on the surface; the spring between the two is what the hand feels (paper 2.2). One file
+//! for each model, behind [`ContactModel`]:
+//!
+//! * [`ProxyGraph`]: the paper's model (section 3).
+//!
+//! This crate knows no device, clock, thread or Python.
+
+mod contact;
+mod proxy_graph;
+
+pub use contact::{Contact, ContactModel, Counters, Feature};
+pub use proxy_graph::ProxyGraph;

@@ -1,0 +1,401 @@
+"""Touch elevation grids: proxy contact models and a 1 kHz haptic servo.
+
+Frames and units (see each class):
+
+* grid: column (eastward) and row (southward), in cells; sample (0, 0) is the first in the file.
+* terrain: metres east, north and up, measured from sample (0, 0): ``east = column * cell_width``,
+  ``north = -row * cell_height``, ``up`` = elevation in metres, never exaggerated. On a grid that
+  wraps, ``east`` runs on beyond the last column instead of jumping.
+* workspace: metres and newtons in the device's frame, x right (east), y away (north), z up.
+"""
+
+import os
+from collections.abc import Buffer, Sequence
+from typing import Literal, final
+
+__version__: str
+
+SampleType = Literal["i16", "u16", "i32", "f32", "f64"]
+ByteOrder = Literal["big", "little"]
+Feature = Literal["free", "face", "edge", "vertex"]
+Vector = tuple[float, float, float]
+
+class GridError(ValueError):
+    """A layout, a file or a buffer cannot be used as a grid; the text says what was found and expected."""
+
+class SessionError(RuntimeError):
+    """A session was used in a state that does not allow the call (started twice, stepped while live)."""
+
+@final
+class GridLayout:
+    """Where the samples of a row-major grid lie, and what they mean. Immutable.
+
+    Args:
+        rows, columns: the number of samples north-south and east-west; at least 2 each.
+        cell_width, cell_height: metres between neighbouring columns, and between rows; positive.
+        sample: the type of one sample.
+        byte_order: of one sample.
+        offset: bytes before the first sample.
+        row_stride: bytes from one row to the next; ``None`` means that the rows are packed.
+        scale, value_offset: elevation in metres = ``sample * scale + value_offset``.
+        void: the sample value that means "no data"; NaN and infinite samples are void too.
+        wraps: whether column ``columns`` is column 0 again (a whole planet).
+
+    Raises:
+        GridError: naming the field, what was found and what was expected.
+    """
+
+    def __init__(
+        self,
+        rows: int,
+        columns: int,
+        *,
+        cell_width: float,
+        cell_height: float,
+        sample: SampleType = "i16",
+        byte_order: ByteOrder = "big",
+        offset: int = 0,
+        row_stride: int | None = None,
+        scale: float = 1.0,
+        value_offset: float = 0.0,
+        void: float | None = None,
+        wraps: bool = False,
+    ) -> None: ...
+    @property
+    def rows(self) -> int: ...
+    @property
+    def columns(self) -> int: ...
+    @property
+    def cell_width(self) -> float: ...
+    @property
+    def cell_height(self) -> float: ...
+    @property
+    def sample(self) -> SampleType: ...
+    @property
+    def byte_order(self) -> ByteOrder: ...
+    @property
+    def offset(self) -> int: ...
+    @property
+    def row_stride(self) -> int: ...
+    @property
+    def scale(self) -> float: ...
+    @property
+    def value_offset(self) -> float: ...
+    @property
+    def void(self) -> float | None: ...
+    @property
+    def wraps(self) -> bool: ...
+    @property
+    def samples(self) -> int:
+        """rows x columns."""
+    @property
+    def triangles(self) -> int:
+        """Two a cell; a grid that wraps has a cell more in each row."""
+    @property
+    def byte_length(self) -> int:
+        """Bytes that a file or buffer must hold at the least, ``offset`` included."""
+
+@final
+class GridRange:
+    """The lowest and the highest sample of a grid, and where they lie."""
+
+    @property
+    def minimum(self) -> float:
+        """Metres."""
+    @property
+    def minimum_cell(self) -> tuple[int, int]:
+        """(column, row); the first one in file order."""
+    @property
+    def maximum(self) -> float:
+        """Metres."""
+    @property
+    def maximum_cell(self) -> tuple[int, int]: ...
+    @property
+    def voids(self) -> int:
+        """How many samples are void."""
+
+@final
+class Grid:
+    """An elevation grid whose samples stay where they lie: nothing is copied or converted.
+
+    Every cell is split by the diagonal from (column, row) to (column + 1, row + 1). A triangle
+    with a void corner is absent.
+    """
+
+    @staticmethod
+    def open(path: str | os.PathLike[str], layout: GridLayout) -> Grid:
+        """Map a file read-only.
+
+        Raises:
+            GridError: the file cannot be read, or is shorter than the layout says.
+        """
+    @staticmethod
+    def from_buffer(buffer: Buffer, layout: GridLayout) -> Grid:
+        """Use any C-contiguous Python buffer, which is held (and so locked) until the grid is freed.
+
+        Raises:
+            GridError: the buffer is not contiguous, or is shorter than the layout says.
+        """
+    @property
+    def layout(self) -> GridLayout: ...
+    @property
+    def damaged(self) -> bool:
+        """Whether the mapped file was cut while in use; the lost samples read as zero bytes."""
+    def elevation(self, column: int, row: int) -> float | None:
+        """The sample in metres; ``None`` where it is void or off the map."""
+    def elevation_at(self, east: float, north: float) -> float | None:
+        """The height of the triangulated surface in metres; ``None`` in a hole or off the map."""
+    def elevations(self, columns: Sequence[int], rows: Sequence[int]) -> memoryview:
+        """The samples at ``rows`` x ``columns``, row-major, as doubles (format ``d``), NaN where void.
+
+        On a grid that wraps, columns may lie beyond the last one.
+        """
+    def range(self) -> GridRange | None:
+        """Scan the whole grid (without the GIL); ``None`` where every sample is void."""
+
+@final
+class Contact:
+    """What one update of a contact model found."""
+
+    @property
+    def proxy(self) -> Vector:
+        """Terrain frame, metres (east, north, up)."""
+    @property
+    def feature(self) -> Feature:
+        """What the proxy lies on."""
+    @property
+    def in_contact(self) -> bool: ...
+    @property
+    def normal(self) -> Vector:
+        """Unit vector from the goal to the proxy in the workspace; (0, 0, 1) where they coincide."""
+    @property
+    def distance(self) -> float:
+        """Workspace metres between proxy and goal."""
+    @property
+    def vertices(self) -> int:
+        """Vertices visited by constrained minimisation (paper 4.4)."""
+    @property
+    def collision_tests(self) -> int:
+        """Free-space minimisations begun, each one collision test (paper 4.4)."""
+    @property
+    def cells(self) -> int:
+        """Grid cells that the collision tests went through (paper 3.5)."""
+    @property
+    def far_edge_crossings(self) -> int: ...
+    @property
+    def far_edge_loops(self) -> int: ...
+    @property
+    def cycles_ended(self) -> int:
+        """Free space re-entered from a vertex already left in the same update; not in the paper."""
+    @property
+    def steps_left(self) -> int:
+        """Cells still between proxy and goal when the step budget ran out; 0 where the update finished."""
+
+@final
+class ProxyGraph:
+    """The contact model of the paper, without a servo, for comparisons and scripts.
+
+    Args:
+        grid: what is touched.
+        scale: workspace metres per metre of terrain.
+        exaggeration: of heights; it changes which point is nearest, as in the paper.
+        step_budget: vertices plus free-space cells that one update may visit.
+    """
+
+    def __init__(
+        self, grid: Grid, *, scale: float = 1.0, exaggeration: float = 1.0, step_budget: int = 4096
+    ) -> None: ...
+    def place(self, east: float, north: float, up: float) -> None:
+        """Put the proxy there, out of contact (terrain frame, metres)."""
+    def update(self, east: float, north: float, up: float) -> Contact:
+        """Move the proxy toward the goal (terrain frame, metres). Never raises for NaN: the proxy stays."""
+
+@final
+class ScriptedDevice:
+    """Plays a path: (seconds, x, y, z) in the workspace frame, straight lines between.
+
+    Times must rise. Before the first and after the last point the hand stays there.
+    The force is taken and shown, and changes nothing.
+    """
+
+    def __init__(
+        self, path: Sequence[tuple[float, float, float, float]], *, workspace: Vector = (0.16, 0.12, 0.12)
+    ) -> None: ...
+    @property
+    def workspace(self) -> Vector:
+        """Width, depth and height that the hand can reach, metres."""
+
+@final
+class SimulatedDevice:
+    """A hand: a mass on a muscle spring and a damper, following a target, pushed by the force.
+
+    Args:
+        target: where the muscle pulls at first, and where the hand starts (workspace metres).
+        mass: kilograms. muscle_stiffness: N/m. damping: N s/m. max_force: N.
+    """
+
+    def __init__(
+        self,
+        *,
+        target: Vector = (0.0, 0.0, 0.05),
+        mass: float = 0.1,
+        muscle_stiffness: float = 300.0,
+        damping: float = 8.0,
+        max_force: float = 8.0,
+        workspace: Vector = (0.16, 0.12, 0.12),
+    ) -> None: ...
+    @property
+    def workspace(self) -> Vector: ...
+
+@final
+class Window:
+    """The workspace frame laid over the terrain. Immutable.
+
+    Args:
+        east, north: terrain metres under the workspace's origin.
+        up: elevation in metres at the workspace's z = 0.
+        width: metres of terrain across the width of the device's workspace; positive.
+        exaggeration: of heights, the same for eye and hand; positive.
+    """
+
+    def __init__(
+        self, east: float, north: float, up: float, *, width: float, exaggeration: float = 1.0
+    ) -> None: ...
+    @property
+    def east(self) -> float: ...
+    @property
+    def north(self) -> float: ...
+    @property
+    def up(self) -> float: ...
+    @property
+    def width(self) -> float: ...
+    @property
+    def exaggeration(self) -> float: ...
+
+@final
+class State:
+    """The newest tick of a session."""
+
+    @property
+    def tick(self) -> int:
+        """Ticks done since the session was made."""
+    @property
+    def time(self) -> float:
+        """Seconds since the session was started (stepped: ticks / 1000)."""
+    @property
+    def hand(self) -> Vector:
+        """Workspace frame, metres."""
+    @property
+    def goal(self) -> Vector:
+        """The hand in the terrain frame: the haptic interface point."""
+    @property
+    def proxy(self) -> Vector:
+        """Terrain frame."""
+    @property
+    def feature(self) -> Feature: ...
+    @property
+    def in_contact(self) -> bool: ...
+    @property
+    def force(self) -> Vector:
+        """Newtons, workspace frame, as sent to the device."""
+    @property
+    def mode(self) -> Literal["normal"]: ...
+
+@final
+class Statistics:
+    """Counts since the session was made."""
+
+    @property
+    def ticks(self) -> int: ...
+    @property
+    def missed_ticks(self) -> int:
+        """Deadlines that passed while the thread was late; they are skipped, never caught up."""
+    @property
+    def contact_ticks(self) -> int: ...
+    @property
+    def vertices(self) -> int: ...
+    @property
+    def collision_tests(self) -> int: ...
+    @property
+    def cells(self) -> int: ...
+    @property
+    def far_edge_crossings(self) -> int: ...
+    @property
+    def far_edge_loops(self) -> int: ...
+    @property
+    def cycles_ended(self) -> int: ...
+    @property
+    def unfinished(self) -> int:
+        """Updates that ended with steps left over."""
+    @property
+    def not_finite(self) -> int:
+        """Ticks whose pose or force was not finite: answered with zero force."""
+    @property
+    def clamped(self) -> int:
+        """Ticks whose force was cut to the limit."""
+    @property
+    def dropped(self) -> int:
+        """Ticks that found the ring full; they are lost to recordings."""
+    @property
+    def goal_cells(self) -> float:
+        """Cells that the goal travelled over the ground, summed over the ticks."""
+    def update_us(self, quantile: float) -> float:
+        """Microseconds from the device's read to its write (quantile 0 to 1; bucket error below 7%)."""
+    def late_us(self, quantile: float) -> float:
+        """Microseconds from deadline to wake-up, live ticks only."""
+
+@final
+class Ticks:
+    """Every tick since the last drain, a column of doubles for each quantity."""
+
+    columns: tuple[str, ...]
+    """``tick time hand_x hand_y hand_z goal_east goal_north goal_up proxy_east proxy_north proxy_up
+    force_x force_y force_z feature vertices collision_tests cells`` (feature: 0 free, 1 face, 2 edge,
+    3 vertex)."""
+    def __len__(self) -> int: ...
+    def column(self, name: str) -> memoryview:
+        """One value a tick, format ``d``. Raises KeyError for an unknown name."""
+
+@final
+class Session:
+    """A grid, a device and a contact model in one loop: 1 kHz live, or stepped.
+
+    Forces: spring from the hand to the proxy, clamped. Dropping the object stops the thread after a last zero force.
+
+    Args:
+        grid: what is touched. device: is taken over; a device serves one session.
+        window: where the workspace lies. stiffness: of the spring, N/m.
+        max_force: N; the device's own limit holds too. ring_seconds: ticks kept for ``drain``.
+        step_budget: see ProxyGraph.
+    """
+
+    def __init__(
+        self,
+        grid: Grid,
+        device: ScriptedDevice | SimulatedDevice,
+        window: Window,
+        *,
+        stiffness: float = 500.0,
+        max_force: float = 8.0,
+        ring_seconds: float = 60.0,
+        step_budget: int = 4096,
+    ) -> None: ...
+    def start(self) -> None:
+        """Run at 1 kHz on a thread of its own. Raises SessionError when it already runs or has faulted."""
+    def stop(self) -> None:
+        """Send zero force and join the thread; harmless when it does not run."""
+    def step(self, count: int) -> None:
+        """Do ticks of 1 ms here and now, deterministically. Raises SessionError while live or after a fault."""
+    @property
+    def running(self) -> bool: ...
+    @property
+    def fault(self) -> str | None:
+        """Why touch ended by itself, in words; ``None`` where it did not."""
+    @property
+    def window(self) -> Window: ...
+    def set_window(self, window: Window) -> None: ...
+    def set_target(self, x: float, y: float, z: float) -> None:
+        """Where the simulated hand is pulled (workspace metres); other devices ignore it."""
+    def state(self) -> State: ...
+    def statistics(self) -> Statistics: ...
+    def drain(self) -> Ticks: ...

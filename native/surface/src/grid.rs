@@ -1,0 +1,116 @@
+//! A grid: a layout over bytes.
+
+use crate::layout::{GridLayout, LayoutError};
+use crate::storage::{KeepAlive, Storage};
+use std::fs::File;
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// A file or buffer that cannot be used as a grid.
+#[derive(Debug, thiserror::Error)]
+pub enum GridError {
+    /// The layout itself is impossible.
+    #[error(transparent)]
+    Layout(#[from] LayoutError),
+    /// The file cannot be opened or mapped.
+    #[error("{}: cannot be opened as a grid: {source}", path.display())]
+    File {
+        /// The file.
+        path: PathBuf,
+        /// What the system said.
+        source: io::Error,
+    },
+    /// There are fewer bytes than the layout needs.
+    #[error(
+        "{what} holds {found} bytes, but {rows} rows of {columns} samples need {expected}; \
+         it is cut short, or its label belongs to another file"
+    )]
+    TooShort {
+        /// The file's path, or `the buffer`.
+        what: String,
+        /// Bytes there.
+        found: u64,
+        /// Bytes needed.
+        expected: u64,
+        /// Rows of the layout.
+        rows: u32,
+        /// Columns of the layout.
+        columns: u32,
+    },
+}
+
+/// An elevation grid whose samples stay where they lie. Cheap to share behind an `Arc`.
+pub struct Grid {
+    layout: GridLayout,
+    storage: Storage,
+}
+
+impl Grid {
+    /// Maps a file read-only. Nothing is read before it is touched.
+    pub fn open(path: &Path, layout: GridLayout) -> Result<Self, GridError> {
+        let failed = |source| GridError::File { path: path.to_owned(), source };
+        let file = File::open(path).map_err(failed)?;
+        let metadata = file.metadata().map_err(failed)?;
+        if !metadata.is_file() {
+            return Err(failed(io::Error::other("it is not a file")));
+        }
+        require_bytes(path.display().to_string(), metadata.len(), &layout)?;
+        let storage = Storage::map(file).map_err(failed)?;
+        // Again on what was mapped: the file may have been cut in between.
+        require_bytes(path.display().to_string(), storage.length() as u64, &layout)?;
+        Ok(Self { layout, storage })
+    }
+
+    /// Uses bytes in memory.
+    pub fn from_vec(bytes: Vec<u8>, layout: GridLayout) -> Result<Self, GridError> {
+        let (address, length) = (bytes.as_ptr(), bytes.len());
+        // SAFETY: a moved Vec keeps its heap block, and it is dropped with the grid.
+        unsafe { Self::from_foreign(address, length, Box::new(bytes), layout) }
+    }
+
+    /// Uses bytes that somebody else keeps, without copying them.
+    ///
+    /// # Safety
+    /// `address` must stay readable for `length` bytes until `kept` is dropped. The bytes may
+    /// change meanwhile.
+    pub unsafe fn from_foreign(
+        address: *const u8,
+        length: usize,
+        kept: KeepAlive,
+        layout: GridLayout,
+    ) -> Result<Self, GridError> {
+        require_bytes("the buffer".to_owned(), length as u64, &layout)?;
+        // SAFETY: passed on to the caller.
+        let storage = unsafe { Storage::foreign(address, length, kept) };
+        Ok(Self { layout, storage })
+    }
+
+    /// Where the samples lie.
+    pub fn layout(&self) -> &GridLayout {
+        &self.layout
+    }
+
+    /// Whether the mapped file was cut short while in use; what is lost reads as bytes of zero.
+    pub fn damaged(&self) -> bool {
+        self.storage.damaged()
+    }
+
+    pub(crate) fn storage(&self) -> &Storage {
+        &self.storage
+    }
+}
+
+impl std::fmt::Debug for Grid {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Grid").field("layout", &self.layout).finish_non_exhaustive()
+    }
+}
+
+fn require_bytes(what: String, found: u64, layout: &GridLayout) -> Result<(), GridError> {
+    let expected = layout.byte_length();
+    if found >= expected {
+        return Ok(());
+    }
+    let (rows, columns) = (layout.rows(), layout.columns());
+    Err(GridError::TooShort { what, found, expected, rows, columns })
+}

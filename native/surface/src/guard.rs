@@ -1,0 +1,264 @@
+//! Keeps the process alive when a mapped file is cut short while it is being read.
+//!
+//! Reading a page of a mapping that its file no longer covers raises SIGBUS. The handler here
+//! replaces such a page of a registered mapping by an anonymous page of zeros and marks the mapping
+//! as damaged; a fault anywhere else goes to whoever handled SIGBUS before. Everything that the
+//! handler touches is lock-free and async-signal-safe.
+
+#[cfg(unix)]
+pub(crate) use unix::Guard;
+
+#[cfg(not(unix))]
+pub(crate) use elsewhere::Guard;
+
+/// The table of guarded mappings is full.
+#[derive(Debug)]
+pub(crate) struct TooMany;
+
+/// Mappings that may be guarded at the same time.
+pub(crate) const MOST_MAPPINGS: usize = 256;
+
+#[cfg(unix)]
+mod unix {
+    use super::{MOST_MAPPINGS, TooMany};
+    use std::fs::File;
+    use std::os::fd::AsRawFd;
+    use std::sync::Mutex;
+    use std::sync::atomic::{AtomicBool, AtomicI32, AtomicPtr, AtomicUsize, Ordering};
+
+    /// One guarded mapping; `end` is 0 while the slot is unused.
+    struct Slot {
+        taken: AtomicBool,
+        start: AtomicUsize,
+        end: AtomicUsize,
+        file: AtomicI32,
+        damaged: AtomicBool,
+    }
+
+    impl Slot {
+        const fn unused() -> Self {
+            Self {
+                taken: AtomicBool::new(false),
+                start: AtomicUsize::new(0),
+                end: AtomicUsize::new(0),
+                file: AtomicI32::new(-1),
+                damaged: AtomicBool::new(false),
+            }
+        }
+
+        fn length(&self) -> usize {
+            let end = self.end.load(Ordering::Acquire);
+            end.saturating_sub(self.start.load(Ordering::Relaxed))
+        }
+
+        fn contains(&self, address: usize) -> bool {
+            let end = self.end.load(Ordering::Acquire);
+            address < end && address >= self.start.load(Ordering::Relaxed)
+        }
+
+        /// Whether the file now ends before the mapping does.
+        fn is_cut(&self) -> bool {
+            let length = self.length();
+            if length == 0 {
+                return false;
+            }
+            // SAFETY: `stat` is plain data, and fstat only writes to it (async-signal-safe by POSIX).
+            unsafe {
+                let mut stat: libc::stat = std::mem::zeroed();
+                libc::fstat(self.file.load(Ordering::Relaxed), &mut stat) == 0
+                    && (stat.st_size as usize) < length
+            }
+        }
+    }
+
+    static SLOTS: [Slot; MOST_MAPPINGS] = [const { Slot::unused() }; MOST_MAPPINGS];
+    static PAGE: AtomicUsize = AtomicUsize::new(4096);
+    /// What handled SIGBUS before; leaked, because a handler may be reading it at any time.
+    static PREVIOUS: AtomicPtr<libc::sigaction> = AtomicPtr::new(std::ptr::null_mut());
+    /// The thread that is inside the previous handler because of us, or 0.
+    static CHAINING: AtomicI32 = AtomicI32::new(0);
+
+    /// A registered mapping; dropping it ends the registration, and must happen before unmapping.
+    #[derive(Debug)]
+    pub(crate) struct Guard {
+        slot: usize,
+    }
+
+    impl Guard {
+        /// Registers `length` bytes at `start`, mapped from `file` (kept open by the caller).
+        pub(crate) fn new(start: *const u8, length: usize, file: &File) -> Result<Self, TooMany> {
+            install_handler();
+            let free = |slot: &&Slot| !slot.taken.swap(true, Ordering::AcqRel);
+            let slot = SLOTS.iter().find(free).ok_or(TooMany)?;
+            slot.damaged.store(false, Ordering::Relaxed);
+            slot.file.store(file.as_raw_fd(), Ordering::Relaxed);
+            slot.start.store(start as usize, Ordering::Relaxed);
+            slot.end.store(start as usize + length, Ordering::Release);
+            let slot = SLOTS.iter().position(|other| std::ptr::eq(other, slot)).unwrap_or(0);
+            Ok(Self { slot })
+        }
+
+        /// Whether a page of the mapping had to be replaced.
+        pub(crate) fn damaged(&self) -> bool {
+            SLOTS[self.slot].damaged.load(Ordering::Relaxed)
+        }
+    }
+
+    impl Drop for Guard {
+        fn drop(&mut self) {
+            let slot = &SLOTS[self.slot];
+            slot.end.store(0, Ordering::Release);
+            slot.taken.store(false, Ordering::Release);
+        }
+    }
+
+    /// Puts the handler in front, also when somebody else's has been put in front of it since.
+    fn install_handler() {
+        static INSTALLING: Mutex<()> = Mutex::new(());
+        let _one_at_a_time = INSTALLING.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
+        // SAFETY: plain libc calls on local structures; the handler itself keeps to what a signal
+        // handler may do. `current` is leaked once per installation, which is rare.
+        unsafe {
+            PAGE.store(libc::sysconf(libc::_SC_PAGESIZE) as usize, Ordering::Relaxed);
+            let mut current: libc::sigaction = std::mem::zeroed();
+            libc::sigaction(libc::SIGBUS, std::ptr::null(), &mut current);
+            let ours = handle as extern "C" fn(_, _, _) as usize;
+            if current.sa_sigaction == ours {
+                return;
+            }
+            PREVIOUS.store(Box::into_raw(Box::new(current)), Ordering::Release);
+            let mut action: libc::sigaction = std::mem::zeroed();
+            action.sa_sigaction = ours;
+            action.sa_flags = libc::SA_SIGINFO | libc::SA_ONSTACK;
+            libc::sigemptyset(&mut action.sa_mask);
+            libc::sigaction(libc::SIGBUS, &action, std::ptr::null_mut());
+        }
+    }
+
+    extern "C" fn handle(
+        signal: libc::c_int,
+        info: *mut libc::siginfo_t,
+        context: *mut libc::c_void,
+    ) {
+        // SAFETY: the kernel passes a valid siginfo to an SA_SIGINFO handler.
+        let (sent_by_a_process, address) = unsafe { ((*info).si_code <= 0, (*info).si_addr()) };
+        let ours = if sent_by_a_process {
+            // A handler in front of this one (Python's faulthandler) reports the fault and raises
+            // the signal again, without its address. If a mapping of ours is cut, returning is
+            // right: the read repeats, faults again, and comes here with its address.
+            SLOTS.iter().any(Slot::is_cut)
+        } else {
+            replace_page(address as usize)
+        };
+        if !ours {
+            hand_over(signal, info, context, sent_by_a_process);
+        }
+    }
+
+    /// Puts a page of zeros where the fault was, if that is inside a guarded mapping.
+    fn replace_page(address: usize) -> bool {
+        let Some(slot) = SLOTS.iter().find(|slot| slot.contains(address)) else {
+            return false;
+        };
+        let page = PAGE.load(Ordering::Relaxed);
+        // SAFETY: the page lies in a mapping that we own (its registration ends before it is
+        // unmapped), so replacing it harms nobody; mmap is a plain system call. errno is put back.
+        let replaced = unsafe {
+            let errno = errno_location();
+            let saved = *errno;
+            let replaced = libc::mmap(
+                (address & !(page - 1)) as *mut libc::c_void,
+                page,
+                libc::PROT_READ,
+                libc::MAP_PRIVATE | libc::MAP_ANONYMOUS | libc::MAP_FIXED,
+                -1,
+                0,
+            );
+            *errno = saved;
+            replaced != libc::MAP_FAILED
+        };
+        slot.damaged.store(replaced, Ordering::Relaxed);
+        replaced
+    }
+
+    /// Lets the previous handler have a fault that is not ours.
+    fn hand_over(
+        signal: libc::c_int,
+        info: *mut libc::siginfo_t,
+        context: *mut libc::c_void,
+        sent_by_a_process: bool,
+    ) {
+        // SAFETY: getpid-like call without arguments; PREVIOUS is set before the handler is, and
+        // never freed; the transmutes give back the types that sa_flags declares.
+        unsafe {
+            let thread = thread_number();
+            let previous = &*PREVIOUS.load(Ordering::Acquire);
+            let came_round = CHAINING.swap(thread, Ordering::AcqRel) == thread;
+            let default = previous.sa_sigaction == libc::SIG_DFL;
+            if previous.sa_sigaction == libc::SIG_IGN && sent_by_a_process {
+                // Ignored, as it was before us.
+            } else if came_round || default || previous.sa_sigaction == libc::SIG_IGN {
+                let mut action: libc::sigaction = std::mem::zeroed();
+                action.sa_sigaction = libc::SIG_DFL;
+                libc::sigaction(signal, &action, std::ptr::null_mut());
+                if sent_by_a_process {
+                    libc::raise(signal);
+                }
+                // Otherwise the faulting read repeats and ends the process as it should.
+            } else if previous.sa_flags & libc::SA_SIGINFO != 0 {
+                type WithInfo = extern "C" fn(libc::c_int, *mut libc::siginfo_t, *mut libc::c_void);
+                let handler: WithInfo = std::mem::transmute(previous.sa_sigaction);
+                handler(signal, info, context);
+            } else {
+                let handler: extern "C" fn(libc::c_int) =
+                    std::mem::transmute(previous.sa_sigaction);
+                handler(signal);
+            }
+            CHAINING.store(0, Ordering::Release);
+        }
+    }
+
+    #[cfg(target_os = "linux")]
+    unsafe fn thread_number() -> i32 {
+        // SAFETY: gettid takes nothing and cannot fail.
+        unsafe { libc::syscall(libc::SYS_gettid) as i32 }
+    }
+
+    #[cfg(not(target_os = "linux"))]
+    unsafe fn thread_number() -> i32 {
+        // SAFETY: pthread_self takes nothing and cannot fail; it is told from 0 ("nobody") by | 1.
+        unsafe { libc::pthread_self() as usize as i32 | 1 }
+    }
+
+    #[cfg(target_os = "linux")]
+    unsafe fn errno_location() -> *mut libc::c_int {
+        // SAFETY: gives this thread's errno, always valid.
+        unsafe { libc::__errno_location() }
+    }
+
+    #[cfg(not(target_os = "linux"))]
+    unsafe fn errno_location() -> *mut libc::c_int {
+        // SAFETY: gives this thread's errno, always valid.
+        unsafe { libc::__error() }
+    }
+}
+
+#[cfg(not(unix))]
+mod elsewhere {
+    use super::TooMany;
+    use std::fs::File;
+
+    /// Windows refuses to cut a file while it is mapped: nothing to guard.
+    #[derive(Debug)]
+    pub(crate) struct Guard;
+
+    impl Guard {
+        pub(crate) fn new(_: *const u8, _: usize, _: &File) -> Result<Self, TooMany> {
+            Ok(Self)
+        }
+
+        pub(crate) fn damaged(&self) -> bool {
+            false
+        }
+    }
+}
