@@ -23,7 +23,7 @@ BUILD := build
 
 # Finding an interpreter means running candidates: only for goals that need one. In the person's own
 # Blender (BLENDER=path) the demo needs Python for building only, so any release will do.
-WITHOUT_PYTHON := help clean test-native sample-path
+WITHOUT_PYTHON := help clean cargo test-native
 GOALS := $(or $(MAKECMDGOALS),help)
 ifneq ($(filter-out $(WITHOUT_PYTHON),$(GOALS)),)
 VERSIONS := 3.13 3.11$(if $(BLENDER), 3.14 3.12)
@@ -43,8 +43,8 @@ PACKAGE := $(BUILD)/package
 NATIVE_SOURCES := $(shell find native -name target -prune -o -type f \
 	\( -name '*.rs' -o -name 'Cargo.*' -o -name '*.toml' -o -name '*.pyi' -o -name py.typed \) -print)
 ADDON_SOURCES := $(shell find addon -name __pycache__ -prune -o -name wheels -prune -o -type f -print 2>/dev/null)
-PYTHON_CODE := $(wildcard addon blender_scripts tests native/proxygraph)
-TYPED_CODE := $(shell find addon blender_scripts tests -name '*.py' -print -quit 2>/dev/null | sed 's|.*|$(wildcard addon blender_scripts tests)|')
+PYTHON_CODE := $(wildcard .ci addon blender_scripts tests native/proxygraph)
+TYPED_CODE := $(wildcard .ci/*.py addon blender_scripts tests)
 
 # bpy reads and writes the configuration of the person who runs it, unless told where else.
 export BLENDER_USER_RESOURCES := $(ROOT)/$(BUILD)/blender-user
@@ -127,7 +127,7 @@ test: $(NATIVE) $(SAMPLE) ## Run the Python tests: native module, add-on, build
 
 .PHONY: test-native
 test-native: | cargo ## Run the Rust tests
-	@cargo test --quiet --release --manifest-path native/Cargo.toml --workspace
+	@cargo test --quiet --manifest-path native/Cargo.toml --workspace
 
 .PHONY: lint
 lint: $(PACKAGES) | cargo ## Check formatting, lints and types
@@ -151,7 +151,7 @@ bench: $(NATIVE) $(SAMPLE) ## Run every bench: tables, and figures in build/benc
 	@for bench in tests/bench/bench_*.py; do \
 		test -e "$$bench" || { echo "There is no bench in tests/bench." >&2; exit 1; }; \
 		echo; echo "== $$bench"; \
-		$(BIN)/python "$$bench" --output $(BUILD)/bench/$$(basename "$${bench#*bench_}" .py).json; \
+		$(BIN)/python "$$bench"; \
 	done
 
 # ---------------------------------------------------------------- the extension
