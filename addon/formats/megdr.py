@@ -1,0 +1,261 @@
+"""MOLA gridded records: a detached PDS3 label (.lbl) beside raw samples (.img).
+
+Format: "Mars Global Surveyor MOLA Mission Experiment Gridded Data Records", data set
+MGS-M-MOLA-5-MEGDR-L3-V1.0, and the PDS3 Standards Reference for the label itself.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from proxygraph import GridError, GridLayout
+
+from .elevation_grid import ElevationGrid
+from .format_error import FormatError
+from .georeference import Georeference
+from .label import Label, read_label
+from .partner_file import file_in_any_case
+
+SAMPLE_TYPES = {
+    "MSB_INTEGER": ("i16", "big"),
+    "LSB_INTEGER": ("i16", "little"),
+    "MSB_UNSIGNED_INTEGER": ("u16", "big"),
+    "LSB_UNSIGNED_INTEGER": ("u16", "little"),
+}
+"""PDS3 sample types of 16 bits, as (sample, byte order) of a GridLayout."""
+
+PROJECTION = "SIMPLE CYLINDRICAL"
+
+LONGITUDE_LIMITS = "WESTERNMOST_LONGITUDE and EASTERNMOST_LONGITUDE"
+LATITUDE_LIMITS = "MINIMUM_LATITUDE and MAXIMUM_LATITUDE"
+
+
+def read_megdr(path: Path) -> ElevationGrid:
+    """Read a label, given it or its data file."""
+    label = read_label(_label_path(path))
+    data_path, offset = _data_place(label)
+    georeference = _georeference(label)
+    layout = _layout(label, georeference, offset)
+    _check_length(data_path, label, layout)
+    synthetic = _is_synthetic(label)
+    return ElevationGrid(data_path, layout, georeference, _title(label, georeference, synthetic), synthetic)
+
+
+def _label_path(path: Path) -> Path:
+    """Find the label that belongs to the chosen file."""
+    if path.suffix.lower() == ".lbl":
+        found = file_in_any_case(path)
+        wanted = path
+    else:
+        wanted = path.with_suffix(".lbl")
+        found = file_in_any_case(wanted)
+    if found is None:
+        raise FormatError(
+            wanted,
+            "label",
+            found="no such file",
+            expected=f"a PDS3 label in {path.parent.name or 'the same folder'}",
+            way_out="Put the .lbl file beside the .img file; labels inside the data file are not read yet.",
+        )
+    return found
+
+
+def _data_place(label: Label) -> tuple[Path, int]:
+    """Find the data file that ``^IMAGE`` points to, and the byte at which its samples begin."""
+    name, offset = _image_pointer(label)
+    named = label.path.with_name(name)
+    beside = label.path.with_suffix(".img")
+    found = file_in_any_case(named) or file_in_any_case(beside)
+    if found is None:
+        raise FormatError(
+            label.path,
+            "^IMAGE",
+            found=f"no file {named.name} beside the label",
+            expected="the data file that the label describes",
+            way_out=f"Put {named.name} into the folder of the label.",
+        )
+    return found, offset
+
+
+def _image_pointer(label: Label) -> tuple[str, int]:
+    """Read ``^IMAGE``: a name, or (name, record from 1), or (name, byte from 1 with its unit)."""
+    pointer = label.value("^IMAGE")
+    if isinstance(pointer, str):
+        return pointer, 0
+    if isinstance(pointer, list | tuple) and len(pointer) == 2 and isinstance(pointer[0], str):
+        name, place = pointer
+        if isinstance(place, int) and place >= 1:
+            return name, (place - 1) * label.whole("RECORD_BYTES")
+        if "BYTE" in str(getattr(place, "units", "")).upper() and int(place.value) >= 1:
+            return name, int(place.value) - 1
+    raise FormatError(
+        label.path,
+        "^IMAGE",
+        found=pointer,
+        expected="the name of a data file",
+        way_out="Labels inside the data file are not read yet; use a grid with a separate .lbl file.",
+    )
+
+
+def _georeference(label: Label) -> Georeference:
+    """Build the geometry from resolution and limits (``MAP_SCALE`` is rounded)."""
+    projection = label.text("IMAGE_MAP_PROJECTION", "MAP_PROJECTION_TYPE").replace("_", " ").upper()
+    if projection != PROJECTION:
+        raise label.wrong(
+            "MAP_PROJECTION_TYPE", projection, PROJECTION, "Other projections are not read yet."
+        )
+    direction = label.text("IMAGE_MAP_PROJECTION", "POSITIVE_LONGITUDE_DIRECTION", default="EAST").upper()
+    if direction != "EAST":
+        raise label.wrong(
+            "POSITIVE_LONGITUDE_DIRECTION",
+            direction,
+            "EAST",
+            "Maps with longitudes to the west are not read yet.",
+        )
+
+    def number(field: str) -> float:
+        return label.number("IMAGE_MAP_PROJECTION", field)
+
+    west, east = number("WESTERNMOST_LONGITUDE"), number("EASTERNMOST_LONGITUDE")
+    if east <= west:
+        east += 360.0
+    south, north = number("MINIMUM_LATITUDE"), number("MAXIMUM_LATITUDE")
+    if not (0.0 < east - west <= 360.0):
+        raise label.wrong(LONGITUDE_LIMITS, f"{west} and {east}", "at most 360 degrees", "Mend the label.")
+    if not (-90.0 <= south < north <= 90.0):
+        raise label.wrong(
+            LATITUDE_LIMITS, f"{south} and {north}", "south < north within +-90", "Mend the label."
+        )
+    return Georeference(
+        body=label.text("TARGET_NAME").title(),
+        radius=_positive(label, "A_AXIS_RADIUS") * 1000.0,  # the label has kilometres
+        projection=projection,
+        westernmost_longitude=west,
+        easternmost_longitude=east,
+        minimum_latitude=south,
+        maximum_latitude=north,
+        pixels_per_degree=_positive(label, "MAP_RESOLUTION"),
+        vertical_reference=_vertical_reference(label),
+    )
+
+
+def _positive(label: Label, field: str) -> float:
+    number = label.number("IMAGE_MAP_PROJECTION", field)
+    if number <= 0.0:
+        raise label.wrong(field, number, "a number above 0", "Mend the label.")
+    return number
+
+
+def _vertical_reference(label: Label) -> str:
+    """Radius products count from the body's centre, topography from its areoid."""
+    name = label.text("IMAGE", "NAME", default="TOPOGRAPHY").upper()
+    if "RADIUS" in name:
+        return "centre of the body"
+    return "areoid" if label.text("TARGET_NAME").upper() == "MARS" else "reference surface"
+
+
+def _layout(label: Label, georeference: Georeference, offset: int) -> GridLayout:
+    """Say where the samples lie and what they mean."""
+    sample, byte_order = _sample(label)
+    rows, columns = label.whole("IMAGE", "LINES"), label.whole("IMAGE", "LINE_SAMPLES")
+    _check_size(label, georeference, rows, columns)
+    prefix = label.whole("IMAGE", "LINE_PREFIX_BYTES", default=0)
+    suffix = label.whole("IMAGE", "LINE_SUFFIX_BYTES", default=0)
+    try:
+        return GridLayout(
+            rows,
+            columns,
+            cell_width=georeference.cell_width,
+            cell_height=georeference.cell_height,
+            sample=sample,
+            byte_order=byte_order,
+            offset=offset + prefix,
+            row_stride=prefix + columns * 2 + suffix,
+            scale=label.number("IMAGE", "SCALING_FACTOR", default=1.0),
+            value_offset=label.number("IMAGE", "OFFSET", default=0.0),
+            void=label.number("IMAGE", "MISSING_CONSTANT", default=None),
+            wraps=georeference.spans_the_globe,
+        )
+    except GridError as error:
+        raise label.wrong("IMAGE", error, "a grid that can be touched", "Mend the label.") from error
+
+
+def _sample(label: Label) -> tuple[str, str]:
+    """Translate ``SAMPLE_TYPE``, ``SAMPLE_BITS`` and ``BANDS``."""
+    sample_type = label.text("IMAGE", "SAMPLE_TYPE").upper()
+    if sample_type not in SAMPLE_TYPES:
+        raise label.wrong(
+            "SAMPLE_TYPE",
+            sample_type,
+            ", ".join(SAMPLE_TYPES),
+            "Convert the grid to 16-bit integers, or mend the label.",
+        )
+    bits = label.whole("IMAGE", "SAMPLE_BITS")
+    if bits != 16:
+        raise label.wrong("SAMPLE_BITS", bits, 16, "Only samples of 16 bits are read yet.")
+    bands = label.whole("IMAGE", "BANDS", default=1)
+    if bands != 1:
+        raise label.wrong("BANDS", bands, 1, "Choose a grid with elevations only.")
+    return SAMPLE_TYPES[sample_type]
+
+
+def _check_size(label: Label, georeference: Georeference, rows: int, columns: int) -> None:
+    """Refuse sizes that make no surface, or that contradict the limits: places would be wrong."""
+    for field, count in (("LINES", rows), ("LINE_SAMPLES", columns)):
+        if count < 2:
+            raise label.wrong(field, count, "at least 2", "A single line of samples has no surface to touch.")
+    resolution = georeference.pixels_per_degree
+    across = (georeference.easternmost_longitude - georeference.westernmost_longitude) * resolution
+    down = (georeference.maximum_latitude - georeference.minimum_latitude) * resolution
+    for field, count, degrees in (("LINE_SAMPLES", columns, across), ("LINES", rows, down)):
+        if abs(count - degrees) > 0.5:
+            raise label.wrong(
+                field,
+                count,
+                f"{degrees:g} from MAP_RESOLUTION and the limits",
+                "Mend whichever of them is wrong.",
+            )
+
+
+def _check_length(data_path: Path, label: Label, layout: GridLayout) -> None:
+    """Refuse a data file that ends before the label says."""
+    try:
+        found = data_path.stat().st_size
+    except OSError as error:
+        raise FormatError(
+            data_path,
+            "data file",
+            found=error.strerror,
+            expected="a readable file",
+            way_out="Check its permissions.",
+        ) from error
+    if found < layout.byte_length:
+        raise FormatError(
+            data_path,
+            "length",
+            found=f"{found:,} bytes",
+            expected=f"{layout.byte_length:,} bytes for LINES and LINE_SAMPLES in {label.path.name}",
+            way_out="The file is cut short: download it again.",
+        )
+
+
+def _is_synthetic(label: Label) -> bool:
+    """Whether the label owns up to made-up heights."""
+    places = (
+        "TARGET_NAME",
+        "DATA_SET_ID",
+        "PRODUCT_ID",
+        "INSTRUMENT_ID",
+        "INSTRUMENT_NAME",
+        "NOTE",
+        "DESCRIPTION",
+    )
+    told = [label.text(place, default="") for place in places]
+    told += [label.text("IMAGE", place, default="") for place in ("NAME", "NOTE", "DESCRIPTION")]
+    return any("SYNTHETIC" in text.upper() for text in told)
+
+
+def _title(label: Label, georeference: Georeference, synthetic: bool) -> str:
+    """Name the grid for people."""
+    title = f"{georeference.body} {label.path.stem}"
+    return f"{title} (synthetic)" if synthetic and "synthetic" not in title.lower() else title

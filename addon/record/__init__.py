@@ -1,0 +1,1 @@
+"""What was touched, as animation and as a trail over the terrain."""

@@ -1,0 +1,44 @@
+"""A take: its own object with its own action, moving as the proxy did."""
+
+from __future__ import annotations
+
+import bpy
+
+from ..touch.cursor import CONTACT, SIZE, shape_mesh
+from ..touch.live import Recording
+from .curves import ensure_fcurve, write_keys
+from .resample import keys_before_jumps, ticks_at_frames
+
+NAME = "Touch Take"
+
+
+def add_take(context: bpy.types.Context, recording: Recording) -> tuple[bpy.types.Object, int]:
+    """Make the object; gives it and the number of keyframes on each of its three curves."""
+    columns, placement = recording.recorder.columns, recording.placement
+    felt = ticks_at_frames(columns["time"], recording.frames_per_second)
+    east = [columns["proxy_east"][tick] for tick in felt]
+    places = [
+        placement.to_scene(
+            columns["proxy_east"][tick], columns["proxy_north"][tick], columns["proxy_up"][tick]
+        )
+        for tick in felt
+    ]
+    held = keys_before_jumps([placement.frame.turns(metres) for metres in east])
+    frames = [float(recording.start_frame + number) for number in range(len(felt))]
+
+    take = _object(context, recording)
+    take.animation_data_create().action = bpy.data.actions.new(take.name)
+    for axis in range(3):
+        curve = ensure_fcurve(take.animation_data.action, take, "location", axis)
+        write_keys(curve, frames, [place[axis] for place in places], held)
+    return take, len(felt)
+
+
+def _object(context: bpy.types.Context, recording: Recording) -> bpy.types.Object:
+    """Make a cone like the cursor in contact; its tip is the point that moved."""
+    take = bpy.data.objects.new(NAME, shape_mesh(CONTACT))
+    size = SIZE * recording.placement.longest_side(recording.grid.layout)
+    take.scale = (size, size, size)
+    take.rotation_euler = recording.placement.matrix.to_euler()
+    context.scene.collection.objects.link(take)
+    return take

@@ -1,0 +1,55 @@
+"""The trail of a take: a tube over the terrain, coloured by the force that was felt."""
+
+from __future__ import annotations
+
+import bpy
+import numpy as np
+
+from ..terrain.frame import map_size
+from ..terrain.material import Colour, Ramp, ramp_material
+from ..terrain.mesh import triangle_mesh
+from ..touch.live import Recording
+from .trail_path import Tube, contact_trails, tube
+
+NAME = "Touch Trail"
+
+FORCE = "force"
+"""Vertex attribute, newtons."""
+
+RADIUS = 0.0015
+"""Of the tube, as a share of the terrain's longest side."""
+
+COLOURS: tuple[tuple[float, Colour], ...] = (
+    (0.0, (0.55, 0.95, 1.0)),
+    (0.5, (0.02, 0.25, 1.0)),
+    (1.0, (0.45, 0.0, 0.75)),
+)
+"""From a light to a strong touch: none of them is a colour of the terrain."""
+
+
+def add_trail(context: bpy.types.Context, recording: Recording) -> bpy.types.Object | None:
+    """Make the trail's object; ``None`` where nothing was touched."""
+    frame, grid, surface = recording.placement.frame, recording.grid, recording.surface
+    radius = RADIUS * max(map_size(grid.layout))
+
+    def ground(east: float, north: float) -> float | None:
+        heights = (surface.height_at(east, north), grid.elevation_at(east, north))
+        return max((height for height in heights if height is not None), default=None)
+
+    trails = list(contact_trails(recording.recorder, frame, ground, spacing=radius))
+    if not trails:
+        return None
+    shape = tube(trails, frame, radius * frame.units_per_metre)
+    trail = bpy.data.objects.new(NAME, _mesh(shape))
+    trail.matrix_world = recording.placement.matrix
+    context.scene.collection.objects.link(trail)
+    return trail
+
+
+def _mesh(shape: Tube) -> bpy.types.Mesh:
+    mesh = triangle_mesh(NAME, shape.positions.astype(np.float32), shape.triangles)
+    force = mesh.attributes.new(FORCE, "FLOAT", "POINT")
+    force.data.foreach_set("value", shape.force.astype(np.float32))
+    ramp = Ramp(FORCE, 0.0, float(shape.force.max()), COLOURS, glow=0.6)
+    mesh.materials.append(ramp_material("Touch force", ramp))
+    return mesh

@@ -1,0 +1,39 @@
+"""Making the extension known to Blender, and taking it back in reverse order."""
+
+from __future__ import annotations
+
+import bpy
+
+from .touch import timer
+from .ui import import_operator, panel, record_operators, settings, touch_operators
+
+CLASSES: tuple[type, ...] = (
+    settings.HapticTerrainSettings,
+    import_operator.HAPTIC_TERRAIN_OT_import_grid,
+    import_operator.HAPTIC_TERRAIN_FH_grid,
+    touch_operators.HAPTIC_TERRAIN_OT_touch_start,
+    touch_operators.HAPTIC_TERRAIN_OT_touch_stop,
+    record_operators.HAPTIC_TERRAIN_OT_record_start,
+    record_operators.HAPTIC_TERRAIN_OT_record_stop,
+    panel.HAPTIC_TERRAIN_PT_terrain,
+    panel.HAPTIC_TERRAIN_PT_touch,
+    panel.HAPTIC_TERRAIN_PT_record,
+)
+
+
+def register() -> None:
+    """Add classes, the scene's settings, the menu entry and the handlers."""
+    for cls in CLASSES:
+        bpy.utils.register_class(cls)
+    bpy.types.Scene.haptic_terrain = bpy.props.PointerProperty(type=settings.HapticTerrainSettings)
+    bpy.types.TOPBAR_MT_file_import.append(import_operator.draw_menu)
+    timer.register()
+
+
+def unregister() -> None:
+    """Remove what ``register`` added."""
+    timer.unregister()
+    bpy.types.TOPBAR_MT_file_import.remove(import_operator.draw_menu)
+    del bpy.types.Scene.haptic_terrain
+    for cls in reversed(CLASSES):
+        bpy.utils.unregister_class(cls)

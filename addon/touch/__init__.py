@@ -1,0 +1,1 @@
+"""The live session: one hand on one terrain, shown by a timer."""

@@ -1,0 +1,97 @@
+"""The cursor: one object with two meshes, a sphere when free and a downward cone in contact (paper 4.2).
+
+It is never keyed: a frame change would take it away from the hand.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import bmesh
+import bpy
+from mathutils import Matrix, Vector
+
+NAME = "Haptic Cursor"
+
+SIZE = 0.02
+"""Of the terrain's longest side: seen at once, and small enough to point."""
+
+
+@dataclass(frozen=True)
+class Shape:
+    """One look of the cursor; meshes are one unit high, and the origin is the point that touches."""
+
+    name: str
+    colour: tuple[float, float, float, float]
+    build: Callable[[bmesh.types.BMesh], None]
+
+
+def _build_sphere(mesh: bmesh.types.BMesh) -> None:
+    bmesh.ops.create_uvsphere(mesh, u_segments=24, v_segments=12, radius=0.5)
+
+
+def _build_cone(mesh: bmesh.types.BMesh) -> None:
+    """Stand a cone on its tip."""
+    tip_down = Matrix.Translation((0.0, 0.0, 0.75)) @ Matrix.Rotation(3.141592653589793, 4, "X")
+    bmesh.ops.create_cone(
+        mesh, cap_ends=True, segments=24, radius1=0.45, radius2=0.0, depth=1.5, matrix=tip_down
+    )
+
+
+FREE = Shape("Haptic Cursor Free", (0.85, 0.93, 1.0, 1.0), _build_sphere)
+CONTACT = Shape("Haptic Cursor Contact", (0.05, 0.85, 0.35, 1.0), _build_cone)
+
+
+def cursor_object(context: bpy.types.Context) -> bpy.types.Object:
+    """Find the cursor, or make it (also after a person deleted it, or an undo did)."""
+    cursor = bpy.data.objects.get(NAME)
+    if cursor is None:
+        cursor = bpy.data.objects.new(NAME, shape_mesh(FREE))
+        cursor.hide_select = True
+    if cursor.name not in context.scene.collection.all_objects:
+        context.scene.collection.objects.link(cursor)
+    return cursor
+
+
+def show_cursor(
+    cursor: bpy.types.Object, place: Vector, turn: Matrix, size: float, *, in_contact: bool
+) -> None:
+    """Move the cursor and give it its shape.
+
+    Args:
+        place: of the touching point, scene coordinates.
+        turn: the terrain's rotation.
+        size: Blender units.
+    """
+    mesh = shape_mesh(CONTACT if in_contact else FREE)
+    if cursor.data is not mesh:
+        cursor.data = mesh
+    cursor.matrix_world = Matrix.LocRotScale(place, turn.to_quaternion(), Vector((size, size, size)))
+
+
+def shape_mesh(shape: Shape) -> bpy.types.Mesh:
+    """Find a shape's mesh, or build it."""
+    mesh = bpy.data.meshes.get(shape.name)
+    if mesh is not None:
+        return mesh
+    mesh = bpy.data.meshes.new(shape.name)
+    building = bmesh.new()
+    shape.build(building)
+    building.to_mesh(mesh)
+    building.free()
+    mesh.shade_smooth() if shape is FREE else mesh.shade_flat()
+    mesh.materials.append(_material(shape))
+    return mesh
+
+
+def _material(shape: Shape) -> bpy.types.Material:
+    material = bpy.data.materials.new(shape.name)
+    if material.node_tree is None:  # older than 5.0
+        material.use_nodes = True
+    material.diffuse_color = shape.colour
+    surface = next(node for node in material.node_tree.nodes if node.type == "BSDF_PRINCIPLED")
+    surface.inputs["Base Color"].default_value = shape.colour
+    surface.inputs["Emission Color"].default_value = shape.colour
+    surface.inputs["Emission Strength"].default_value = 0.3
+    return material

@@ -1,0 +1,79 @@
+"""The one thing that outlives a call: the session that runs now, and the take that is being recorded."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from proxygraph import Grid, Session
+
+from ..formats import Georeference
+from ..record.recorder import Recorder
+from ..terrain.frame import TerrainFrame
+from ..terrain.preview import PreviewSurface
+from .handle import Handle
+from .placement import Placement
+
+
+@dataclass(frozen=True)
+class Readout:
+    """What the panel shows of the newest tick."""
+
+    mode: str
+    in_contact: bool
+    longitude: float
+    """Degrees east."""
+    latitude: float
+    """Degrees north."""
+    elevation: float | None
+    """Of the ground at the cursor, metres; ``None`` where there is no data."""
+    force: float
+    """Newtons."""
+    missed_ticks: int
+
+
+@dataclass
+class Touch:
+    """A hand on a terrain."""
+
+    session: Session
+    grid: Grid
+    georeference: Georeference
+    frame: TerrainFrame
+    surface: PreviewSurface
+    terrain: Handle
+    target: Handle | None
+    """The Empty; ``None`` where the device needs none."""
+    workspace_width: float
+    """Of the device, metres."""
+    readout: Readout | None = None
+
+
+@dataclass
+class Recording:
+    """A take in the making; it outlives the session, so that a fault does not lose it."""
+
+    recorder: Recorder
+    grid: Grid
+    surface: PreviewSurface
+    placement: Placement
+    start_frame: int
+    frames_per_second: float
+    dropped_before: int
+    """Ticks that the session had lost when the take began."""
+    dropped: int = 0
+    """Ticks that the take lost."""
+
+
+@dataclass
+class Live:
+    """The holder."""
+
+    touch: Touch | None = None
+    recording: Recording | None = None
+    message: str = ""
+    """Why touch ended by itself; empty where it did not."""
+    rendering: bool = field(default=False)
+    """Nothing is written to the scene while it is rendered."""
+
+
+live = Live()

@@ -1,0 +1,94 @@
+"""What happens between two drawings of the screen: the scene follows the hand.
+
+The timer calls this; so do scripts and tests, for in the background Blender's timers never fire.
+"""
+
+from __future__ import annotations
+
+import math
+
+import bpy
+from mathutils import Vector
+from proxygraph import State
+
+from ..terrain.view import redraw
+from .cursor import SIZE, cursor_object, show_cursor
+from .live import Readout, Touch, live
+from .placement import Placement
+from .stop import collect_ticks, stop_touch
+from .target import to_workspace
+
+
+def tick() -> None:
+    """Bring everything up to date with the newest state of the servo."""
+    touch = live.touch
+    if touch is None:
+        return
+    collect_ticks(touch)
+    fault = touch.session.fault
+    if fault is not None:
+        stop_touch(f"Touch stopped: {fault}")
+        redraw(bpy.context)
+        return
+    terrain = touch.terrain.find()
+    if terrain is None:
+        stop_touch("Touch stopped: the terrain is gone from the scene.")
+        redraw(bpy.context)
+        return
+    placement = Placement.of(terrain, touch.frame)
+    _keep_exaggeration(touch, placement)
+    _follow_target(touch, placement)
+    state = touch.session.state()
+    touch.readout = _readout(touch, state)
+    if not live.rendering:
+        _show(touch, placement, state)
+        redraw(bpy.context)
+
+
+def lifted(up: float, preview: float | None) -> float:
+    """Lift a height onto the preview where the preview lies above the real surface."""
+    return up if preview is None else max(up, preview)
+
+
+def _keep_exaggeration(touch: Touch, placement: Placement) -> None:
+    """Let the hand feel heights as they are seen, also after a person stretched the terrain."""
+    window = touch.session.window
+    if not math.isclose(window.exaggeration, placement.exaggeration, rel_tol=1e-4):
+        touch.session.set_window(
+            type(window)(
+                window.east, window.north, window.up, width=window.width, exaggeration=placement.exaggeration
+            )
+        )
+
+
+def _follow_target(touch: Touch, placement: Placement) -> None:
+    """Pull the simulated hand to the Empty; where the Empty is gone, the hand stays."""
+    empty = touch.target.find() if touch.target is not None else None
+    if empty is None:
+        return
+    place = placement.to_terrain(empty.matrix_world.translation)
+    touch.session.set_target(*to_workspace(place, touch.session.window, touch.workspace_width))
+
+
+def _show(touch: Touch, placement: Placement, state: State) -> None:
+    """Move the cursor to the proxy."""
+    east, north, up = state.proxy
+    height = touch.surface.height_at(touch.frame.on_map(east), north)
+    place: Vector = placement.to_scene(east, north, lifted(up, height))
+    size = SIZE * placement.longest_side(touch.grid.layout)
+    cursor = cursor_object(bpy.context)
+    show_cursor(cursor, place, placement.matrix, size, in_contact=state.in_contact)
+
+
+def _readout(touch: Touch, state: State) -> Readout:
+    east, north, _up = state.proxy
+    longitude, latitude = touch.georeference.longitude_latitude(east, north)
+    return Readout(
+        mode=state.mode,
+        in_contact=state.in_contact,
+        longitude=longitude,
+        latitude=latitude,
+        elevation=touch.grid.elevation_at(east, north),
+        force=math.hypot(*state.force),
+        missed_ticks=touch.session.statistics().missed_ticks,
+    )

@@ -1,0 +1,79 @@
+"""Blender's timer, and what else must end touch: a file being loaded, the extension going, Blender quitting."""
+
+from __future__ import annotations
+
+import atexit
+
+import bpy
+from bpy.app.handlers import persistent
+
+from .live import live
+from .stop import stop_touch
+from .tick import tick
+
+SECONDS = 1.0 / 60.0
+"""Between two ticks of the timer: screens seldom show more."""
+
+
+def start_timer() -> None:
+    """Call ``tick`` for as long as touch runs, also across file loads."""
+    if not bpy.app.timers.is_registered(_run):
+        bpy.app.timers.register(_run, first_interval=SECONDS, persistent=True)
+
+
+def register() -> None:
+    """Add the handlers."""
+    for handlers, handler in _handlers():
+        handlers.append(handler)
+    atexit.register(_quit)
+
+
+def unregister() -> None:
+    """End touch and take the handlers back."""
+    _quit()
+    atexit.unregister(_quit)
+    live.recording = None
+    live.message = ""
+    for handlers, handler in reversed(_handlers()):
+        if handler in handlers:
+            handlers.remove(handler)
+
+
+def _run() -> float | None:
+    tick()
+    return SECONDS if live.touch is not None else None
+
+
+def _quit() -> None:
+    """A timer that is still registered when Python ends hangs or crashes some versions of Blender."""
+    stop_touch()
+    if bpy.app.timers.is_registered(_run):
+        bpy.app.timers.unregister(_run)
+
+
+@persistent
+def _before_load(*_arguments: object) -> None:
+    """The scene is about to go, and with it what a take would be written to."""
+    lost = f" The take of {live.recording.recorder.seconds:.1f} s was not kept." if live.recording else ""
+    stop_touch(f"Touch stopped: another file was loaded.{lost}")
+    live.recording = None
+
+
+@persistent
+def _render_begins(*_arguments: object) -> None:
+    live.rendering = True
+
+
+@persistent
+def _render_ends(*_arguments: object) -> None:
+    live.rendering = False
+
+
+def _handlers() -> list[tuple[list, object]]:
+    handlers = bpy.app.handlers
+    return [
+        (handlers.load_pre, _before_load),
+        (handlers.render_init, _render_begins),
+        (handlers.render_complete, _render_ends),
+        (handlers.render_cancel, _render_ends),
+    ]

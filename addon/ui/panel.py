@@ -1,0 +1,127 @@
+"""The tab in the sidebar of the 3D view."""
+
+from __future__ import annotations
+
+import bpy
+
+from ..terrain.kept import recall
+from ..touch.live import Readout, live
+from ..touch.placement import Placement
+from ..touch.start import TouchError, chosen_terrain
+from .import_operator import HAPTIC_TERRAIN_OT_import_grid
+from .record_operators import HAPTIC_TERRAIN_OT_record_start, HAPTIC_TERRAIN_OT_record_stop
+from .touch_operators import HAPTIC_TERRAIN_OT_touch_start, HAPTIC_TERRAIN_OT_touch_stop
+
+
+class _SidebarPanel:
+    """Where all panels are."""
+
+    bl_space_type = "VIEW_3D"
+    bl_region_type = "UI"
+    bl_category = "Haptic Terrain"
+
+
+class HAPTIC_TERRAIN_PT_terrain(_SidebarPanel, bpy.types.Panel):
+    """The grid that is touched."""
+
+    bl_label = "Terrain"
+
+    def draw(self, context: bpy.types.Context) -> None:
+        """Name the grid, what is shown of it, and how."""
+        terrain = shown_terrain(context)
+        if terrain is None:
+            self.layout.operator(HAPTIC_TERRAIN_OT_import_grid.bl_idname, icon="IMPORT")
+            return
+        kept = recall(terrain)
+        exaggeration = Placement.of(terrain, kept.frame).exaggeration
+        column = self.layout.column(align=True)
+        column.label(text=kept.grid.title, icon="WORLD")
+        column.label(text=f"{kept.grid.layout.columns:,} x {kept.grid.layout.rows:,} samples")
+        column.label(text=f"{len(terrain.data.vertices):,} vertices shown")
+        column.label(text=f"{kept.minimum:,.0f} to {kept.maximum:,.0f} m, heights x{exaggeration:g}")
+
+
+class HAPTIC_TERRAIN_PT_touch(_SidebarPanel, bpy.types.Panel):
+    """Touch, and what is felt."""
+
+    bl_label = "Touch"
+
+    def draw(self, context: bpy.types.Context) -> None:
+        """Start, stop, and the newest tick."""
+        layout = self.layout
+        layout.use_property_split = True
+        layout.use_property_decorate = False
+        if live.message:
+            _draw_message(layout, live.message)
+        if live.touch is None:
+            layout.prop(context.scene.haptic_terrain, "device")
+            layout.prop(context.scene.haptic_terrain, "window_width", text="Width (km)")
+            layout.operator(HAPTIC_TERRAIN_OT_touch_start.bl_idname, icon="PLAY")
+            return
+        layout.operator(HAPTIC_TERRAIN_OT_touch_stop.bl_idname, icon="PAUSE")
+        if live.touch.target is not None and live.touch.target.find() is None:
+            layout.label(text="The Touch Target is gone: stop and start", icon="ERROR")
+        if live.touch.readout is not None:
+            exaggeration = live.touch.session.window.exaggeration
+            for name, value in readout_lines(live.touch.readout, exaggeration):
+                row = layout.split(factor=0.4)
+                row.label(text=name)
+                row.label(text=value)
+
+
+class HAPTIC_TERRAIN_PT_record(_SidebarPanel, bpy.types.Panel):
+    """Takes."""
+
+    bl_label = "Record"
+
+    def draw(self, context: bpy.types.Context) -> None:
+        """Start and stop a take."""
+        layout = self.layout
+        settings = context.scene.haptic_terrain
+        layout.prop(settings, "trail")
+        if live.recording is None:
+            layout.operator(HAPTIC_TERRAIN_OT_record_start.bl_idname, icon="REC")
+            return
+        layout.label(text=f"{live.recording.recorder.seconds:.1f} s")
+        stop = layout.operator(HAPTIC_TERRAIN_OT_record_stop.bl_idname, icon="SNAP_FACE")
+        stop.trail = settings.trail
+
+
+def shown_terrain(context: bpy.types.Context) -> bpy.types.Object | None:
+    """Find the terrain to describe: the touched one, else the one that would be touched."""
+    if live.touch is not None:
+        return live.touch.terrain.find()
+    try:
+        return chosen_terrain(context)
+    except TouchError:
+        return None
+
+
+def readout_lines(readout: Readout, exaggeration: float) -> list[tuple[str, str]]:
+    """Put the newest tick into words."""
+    elevation = (
+        "no data" if readout.elevation is None else f"{readout.elevation:,.0f} m (shown x{exaggeration:g})"
+    )
+    north_or_south = "N" if readout.latitude >= 0.0 else "S"
+    return [
+        ("Mode", readout.mode.title()),
+        ("Contact", "Touching" if readout.in_contact else "Free"),
+        ("Longitude", f"{readout.longitude:.3f}\N{DEGREE SIGN} E"),
+        ("Latitude", f"{abs(readout.latitude):.3f}\N{DEGREE SIGN} {north_or_south}"),
+        ("Elevation", elevation),
+        ("Force", f"{readout.force:.2f} N"),
+        ("Missed ticks", f"{readout.missed_ticks:,}"),
+    ]
+
+
+def _draw_message(layout: bpy.types.UILayout, message: str, width: int = 40) -> None:
+    """Show a long message on several lines: labels do not wrap."""
+    box = layout.box().column(align=True)
+    box.alert = True
+    line = ""
+    for word in message.split():
+        if line and len(line) + len(word) > width:
+            box.label(text=line)
+            line = ""
+        line = f"{line} {word}".strip()
+    box.label(text=line)

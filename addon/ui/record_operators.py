@@ -1,0 +1,72 @@
+"""Start Recording and Stop Recording."""
+
+from __future__ import annotations
+
+import bpy
+
+from ..record.recording import RecordingError, start_recording, stop_recording
+from ..touch.live import live
+
+
+class HAPTIC_TERRAIN_OT_record_start(bpy.types.Operator):
+    """Record the touch as animation, from the current frame on"""
+
+    bl_idname = "haptic_terrain.record_start"
+    bl_label = "Start Recording"
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        """Only while touch runs, and one take at a time."""
+        if live.recording is not None:
+            cls.poll_message_set("A take is being recorded already: stop it first")
+        elif live.touch is None:
+            cls.poll_message_set("Start touch before recording")
+        return live.recording is None and live.touch is not None
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        """Start a take."""
+        try:
+            start_recording(context)
+        except RecordingError as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        return {"FINISHED"}
+
+
+class HAPTIC_TERRAIN_OT_record_stop(bpy.types.Operator):
+    """Write the recorded touch to an object of its own"""
+
+    bl_idname = "haptic_terrain.record_stop"
+    bl_label = "Stop Recording"
+    bl_options = {"UNDO"}
+
+    trail: bpy.props.BoolProperty(
+        name="Trail",
+        description="Also draw a trail over the terrain, coloured by force",
+        default=True,
+        options={"SKIP_SAVE"},
+    )
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        """Only while a take is being recorded, also when touch has ended by itself."""
+        if live.recording is None:
+            cls.poll_message_set("No take is being recorded")
+        return live.recording is not None
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        """Write the take."""
+        try:
+            take = stop_recording(context, trail=self.trail)
+        except RecordingError as error:
+            self.report({"WARNING"}, str(error))
+            return {"CANCELLED"}
+        self.report(
+            {"INFO"}, f"{take.take.name}: {take.seconds:.1f} s, {take.keyframes:,} keys on each curve"
+        )
+        if take.dropped:
+            self.report(
+                {"WARNING"},
+                f"{take.dropped:,} ticks were lost while Blender was busy: the take holds still there",
+            )
+        return {"FINISHED"}

@@ -1,0 +1,75 @@
+"""Start Touch and Stop Touch."""
+
+from __future__ import annotations
+
+import bpy
+
+from ..formats import FormatError
+from ..touch.live import live
+from ..touch.start import TouchError, chosen_terrain, start_touch
+from ..touch.stop import stop_touch
+
+
+class HAPTIC_TERRAIN_OT_touch_start(bpy.types.Operator):
+    """Put the hand on the terrain"""
+
+    bl_idname = "haptic_terrain.touch_start"
+    bl_label = "Start Touch"
+    bl_options = {"UNDO"}
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        """Only with a terrain, and once."""
+        if live.touch is not None:
+            cls.poll_message_set("Touch is already running: stop it first")
+            return False
+        try:
+            chosen_terrain(context)
+        except TouchError as error:
+            cls.poll_message_set(str(error))
+            return False
+        return True
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        """Start."""
+        try:
+            touch = start_touch(context)
+        except (TouchError, FormatError) as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        self._offer_target(context)
+        self.report({"INFO"}, f"Touching {touch.terrain.name}: move the Touch Target to move the hand")
+        return {"FINISHED"}
+
+    def _offer_target(self, context: bpy.types.Context) -> None:
+        """Select the Empty, so that it can be dragged at once."""
+        target = (
+            live.touch.target.find() if live.touch is not None and live.touch.target is not None else None
+        )
+        if target is None:
+            return
+        for other in context.selected_objects:
+            other.select_set(False)
+        target.select_set(True)
+        context.view_layer.objects.active = target
+
+
+class HAPTIC_TERRAIN_OT_touch_stop(bpy.types.Operator):
+    """Take the hand off the terrain"""
+
+    bl_idname = "haptic_terrain.touch_stop"
+    bl_label = "Stop Touch"
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        """Only while touch runs."""
+        if live.touch is None:
+            cls.poll_message_set("Touch is not running")
+        return live.touch is not None
+
+    def execute(self, context: bpy.types.Context) -> set[str]:
+        """Stop; a take in the making waits for Stop Recording."""
+        stop_touch()
+        if live.recording is not None:
+            self.report({"INFO"}, "Touch stopped; Stop Recording writes the take")
+        return {"FINISHED"}

@@ -1,0 +1,54 @@
+"""Make this checkout's add-on an installed extension, for tests and scripts."""
+
+from __future__ import annotations
+
+import os
+import shutil
+from pathlib import Path
+from types import ModuleType
+
+MODULE = "bl_ext.user_default.haptic_terrain"
+
+ADDON = Path(__file__).resolve().parents[1] / "addon"
+
+
+def enable(resources: Path | None = None) -> ModuleType:
+    """Enable the checkout's ``addon/`` as the extension ``MODULE``, and give its package.
+
+    Args:
+        resources: Blender's folder for the person's configuration, which must be set before bpy is
+            imported first; where it is left out, ``BLENDER_USER_RESOURCES`` must say.
+
+    Raises:
+        RuntimeError: no folder is set, or the extension cannot be enabled.
+    """
+    folder = resources or os.environ.get("BLENDER_USER_RESOURCES")
+    if not folder:
+        raise RuntimeError("Set BLENDER_USER_RESOURCES: a person's own configuration is not for scripts.")
+    os.environ["BLENDER_USER_RESOURCES"] = str(Path(folder).resolve())
+    import bpy
+
+    extensions = Path(bpy.utils.user_resource("EXTENSIONS", path="user_default", create=True))
+    if not extensions.is_relative_to(Path(folder).resolve()):
+        raise RuntimeError("bpy was imported before BLENDER_USER_RESOURCES was set.")
+    _offer(extensions / MODULE.rpartition(".")[2])
+
+    import addon_utils  # bpy brings it
+
+    failures: list[Exception] = []
+    module = addon_utils.enable(MODULE, default_set=True, handle_error=failures.append)
+    if module is None:
+        raise RuntimeError(f"The extension cannot be enabled: {failures}") from (failures or [None])[0]
+    return module
+
+
+def _offer(place: Path) -> None:
+    """Link the checkout there, or copy it where links are not allowed."""
+    if place.is_symlink():
+        place.unlink()
+    elif place.is_dir():
+        shutil.rmtree(place)
+    try:
+        place.symlink_to(ADDON, target_is_directory=True)
+    except OSError:
+        shutil.copytree(ADDON, place, ignore=shutil.ignore_patterns("__pycache__"))
