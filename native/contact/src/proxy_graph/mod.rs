@@ -1,0 +1,346 @@
+//! The proxy graph: the contact model of the paper (section 3), on a heightfield.
+//!
+//! An update alternates between two searches (figure 7): *free-space minimisation* moves the proxy
+//! straight to the goal until it meets a triangle, and *constrained minimisation* steps from vertex
+//! to vertex along the edge that shortens the distance fastest, until a minimum is found on a
+//! vertex, an edge or a face, or the way to the goal is free again.
+//!
+//! Where the paper leaves something open, or does not end:
+//!
+//! * A proxy that rests on a feature starts its free-space test from that feature: whether the goal
+//!   is above the triangle ahead decides, never a distance from it (paper 3.5 takes the proxy "to be
+//!   slightly above the surface").
+//! * On rough ground the published graph can run in circles through free space. Free space
+//!   re-entered from a vertex that was left before in the same update ends at the point that its
+//!   ray hits.
+//! * The border of the map is a wall for a proxy on the map: it slides along it and is not lost
+//!   beyond it. A hole (void samples) can be fallen into, and is left again only upwards.
+//! * A step budget bounds every update; what is left is walked in the next ones.
+
+mod ring;
+mod visited;
+
+use crate::contact::{Contact, ContactModel, Counters, Feature};
+use ring::{Minimum, Ring, Weights};
+use surface::lattice::{along_edges, clockwise, counterclockwise, face};
+use surface::ray::{RayEnd, Side, Start, cast};
+use surface::{Grid, GridPoint, Heightfield, Metric, Sample, Triangle, on_heightfield};
+use visited::VisitedVertices;
+
+/// The paper's contact model.
+pub struct ProxyGraph {
+    step_budget: u32,
+    position: GridPoint,
+    place: Place,
+    /// Vertices from which this update went into free space.
+    left: VisitedVertices,
+    /// Vertices from which this update stepped over a far edge (paper 3.3).
+    far_steps: VisitedVertices,
+}
+
+/// What the proxy lies on, precisely.
+#[derive(Clone, Copy, Debug)]
+enum Place {
+    Space(Side),
+    Face(Triangle),
+    /// Edge `k` of a vertex.
+    Edge {
+        column: i64,
+        row: i64,
+        k: usize,
+    },
+    Vertex {
+        column: i64,
+        row: i64,
+    },
+}
+
+/// How free-space minimisation went on.
+enum FreeSpace {
+    /// The proxy met this triangle, or rests on it.
+    Blocked(Triangle),
+    /// The update ends here.
+    Ended,
+}
+
+/// How constrained minimisation went on.
+enum Constrained {
+    /// The way to the goal is free.
+    Unobstructed,
+    /// The update ends here.
+    Ended,
+}
+
+/// What stays the same during one update.
+struct Search<'a, S> {
+    field: &'a Heightfield<'a, S>,
+    weights: Weights,
+    /// Where the hand is.
+    goal: GridPoint,
+}
+
+impl ProxyGraph {
+    /// A proxy at sample (0, 0), out of contact, that may visit `step_budget` vertices and
+    /// free-space cells in one update (at least 1).
+    pub fn new(step_budget: u32) -> Self {
+        Self {
+            step_budget: step_budget.max(1),
+            position: GridPoint::new(0.0, 0.0, 0.0),
+            place: Place::Space(Side::Unknown),
+            left: VisitedVertices::new(),
+            far_steps: VisitedVertices::new(),
+        }
+    }
+
+    fn minimise<S: Sample>(&mut self, search: &Search<S>, counters: &mut Counters) {
+        self.left.clear();
+        self.far_steps.clear();
+        loop {
+            let triangle = match self.free_space(search, counters) {
+                FreeSpace::Blocked(triangle) => triangle,
+                FreeSpace::Ended => return,
+            };
+            let nearest = search.nearest_corner(&triangle);
+            match self.constrained(search, nearest, counters) {
+                Constrained::Unobstructed => {}
+                Constrained::Ended => return,
+            }
+        }
+    }
+
+    /// Moves the proxy straight toward the goal until it meets a triangle (paper 3.2).
+    fn free_space<S: Sample>(&mut self, search: &Search<S>, counters: &mut Counters) -> FreeSpace {
+        counters.collision_tests += 1;
+        let target = search.target(&self.position);
+        let start = match self.ahead(search, &target) {
+            Some((triangle, true)) => return FreeSpace::Blocked(triangle),
+            Some((triangle, false)) => Start::Surface(triangle),
+            None => match self.place {
+                Place::Space(side) => Start::Space(side),
+                _ => Start::Space(Side::Unknown),
+            },
+        };
+        let is_second_time = match self.place {
+            Place::Vertex { column, row } => !self.left.insert(column, row),
+            _ => false,
+        };
+
+        let most_cells = (self.step_budget.saturating_sub(counters.steps())).max(1);
+        let ray = cast(search.field, &self.position, start, &target, most_cells);
+        counters.cells += ray.cells;
+        match ray.end {
+            RayEnd::Hit(triangle, point) => {
+                (self.position, self.place) = (point, Place::Face(triangle));
+                if is_second_time {
+                    counters.cycles_ended += 1;
+                    return FreeSpace::Ended;
+                }
+                FreeSpace::Blocked(triangle)
+            }
+            RayEnd::Clear(side) => {
+                let side = if target == search.goal { side } else { Side::Unknown };
+                (self.position, self.place) = (search.goal, Place::Space(side));
+                FreeSpace::Ended
+            }
+            RayEnd::OutOfSteps(point, side) => {
+                (self.position, self.place) = (point, Place::Space(side));
+                counters.steps_left = cells_between(&point, &target);
+                FreeSpace::Ended
+            }
+        }
+    }
+
+    /// For a proxy on the surface: the triangle that the way to `target` leads over, and whether
+    /// that triangle blocks it (paper 3.5: only one can). `None` in space.
+    fn ahead<S: Sample>(&self, search: &Search<S>, target: &GridPoint) -> Option<(Triangle, bool)> {
+        let triangle = match self.place {
+            Place::Space(_) => return None,
+            Place::Face(triangle) => triangle,
+            Place::Edge { column, row, k } => {
+                let clockwise_of = face(column, row, k);
+                let counterclockwise_of = face(column, row, counterclockwise(k));
+                let position = self.position.relative_to(column, row, 0.0);
+                let toward = target.relative_to(column, row, 0.0);
+                let (u, v) = (toward[0] - position[0], toward[1] - position[1]);
+                let (_, across) = along_edges(k, u, v);
+                let along = across == 0.0;
+                if across > 0.0 || (along && search.field.is_present(&clockwise_of)) {
+                    clockwise_of
+                } else {
+                    counterclockwise_of
+                }
+            }
+            Place::Vertex { column, row } => {
+                let ring = Ring::new(search.field, column, row);
+                let goal = target.relative_to(column, row, ring.elevation());
+                let k = ring.face_toward(goal[0], goal[1]);
+                return Some((face(column, row, k), ring.blocks(k, goal)));
+            }
+        };
+        let [u, v, _] = target.relative_to(triangle.column, triangle.row, 0.0);
+        let plane = search.field.plane_elevation(&triangle, u, v);
+        // Not blocked where the plane is NaN: the triangle is absent.
+        Some((triangle, target.elevation <= plane))
+    }
+
+    /// Steps from vertex to vertex, nearer and nearer to the goal (paper 3.2, figure 8).
+    fn constrained<S: Sample>(
+        &mut self,
+        search: &Search<S>,
+        (mut column, mut row): (i64, i64),
+        counters: &mut Counters,
+    ) -> Constrained {
+        let target = search.field.nearest_on_map(&search.goal);
+        loop {
+            let ring = Ring::new(search.field, column, row);
+            self.stand_on_vertex(column, row, ring.elevation());
+            if counters.steps() >= self.step_budget {
+                counters.steps_left = cells_between(&self.position, &target);
+                return Constrained::Ended;
+            }
+            counters.vertices += 1;
+
+            let goal = target.relative_to(column, row, ring.elevation());
+            if !ring.blocks(ring.face_toward(goal[0], goal[1]), goal) {
+                return Constrained::Unobstructed;
+            }
+            let Some(edge) = ring.steepest_edge(goal, &search.weights) else {
+                return Constrained::Ended;
+            };
+            if edge.end_is_closer {
+                (column, row) = ring.neighbour(edge.k);
+                continue;
+            }
+            match ring.minimum_beside(&edge, goal, &search.weights) {
+                Minimum::OnEdge { k, share } => {
+                    self.rest_on_edge(&ring, k, share);
+                    return Constrained::Ended;
+                }
+                Minimum::OnFace { k, u, v } => {
+                    self.rest_on_face(&ring, k, u, v);
+                    return Constrained::Ended;
+                }
+                Minimum::BeyondFarEdge { k, share, nearest } => {
+                    counters.far_edge_crossings += 1;
+                    if !self.far_steps.insert(column, row) {
+                        counters.far_edge_loops += 1;
+                        self.rest_on_far_edge(search.field, &ring, k, share);
+                        return Constrained::Ended;
+                    }
+                    (column, row) = ring.neighbour(nearest);
+                }
+            }
+        }
+    }
+
+    fn stand_on_vertex(&mut self, column: i64, row: i64, elevation: f64) {
+        self.position = GridPoint { column, row, u: 0.0, v: 0.0, elevation };
+        self.place = Place::Vertex { column, row };
+    }
+
+    /// Rests at `share` of edge `k`.
+    fn rest_on_edge(&mut self, ring: &Ring, k: usize, share: f64) {
+        let (column, row) = ring.vertex();
+        self.position = ring.point_on_edge(k, share);
+        self.place = Place::Edge { column, row, k };
+    }
+
+    /// Rests on face `k`, `u` columns east and `v` rows south of the ring's vertex.
+    fn rest_on_face(&mut self, ring: &Ring, k: usize, u: f64, v: f64) {
+        let (column, row) = ring.vertex();
+        self.position = ring.point_on_face(k, u, v);
+        self.place = Place::Face(face(column, row, k));
+    }
+
+    /// Rests on the edge of face `k` that does not touch the ring's vertex, at `share` from the end
+    /// of edge `k` to the end of edge `k + 1`.
+    fn rest_on_far_edge<S: Sample>(
+        &mut self,
+        field: &Heightfield<S>,
+        ring: &Ring,
+        k: usize,
+        share: f64,
+    ) {
+        let (column, row) = ring.neighbour(k);
+        // From the end of edge k to the end of edge k + 1 it is one step along edge k + 2.
+        let along = clockwise(clockwise(k));
+        self.rest_on_edge(&Ring::new(field, column, row), along, share);
+    }
+}
+
+impl ContactModel for ProxyGraph {
+    fn name(&self) -> &'static str {
+        "proxy_graph"
+    }
+
+    fn place(&mut self, at: GridPoint) {
+        if at.is_finite() {
+            (self.position, self.place) = (at, Place::Space(Side::Unknown));
+        }
+    }
+
+    fn update(&mut self, grid: &Grid, metric: &Metric, goal: &GridPoint) -> Contact {
+        let mut counters = Counters::default();
+        if goal.is_finite() && metric.is_valid() {
+            let weights = Weights::new(metric);
+            on_heightfield!(grid, field => {
+                self.minimise(&Search { field: &field, weights, goal: *goal }, &mut counters)
+            });
+        }
+        Contact::new(self.position, self.place.feature(), goal, metric, counters)
+    }
+}
+
+impl Place {
+    fn feature(&self) -> Feature {
+        match self {
+            Self::Space(_) => Feature::Free,
+            Self::Face(_) => Feature::Face,
+            Self::Edge { .. } => Feature::Edge,
+            Self::Vertex { .. } => Feature::Vertex,
+        }
+    }
+}
+
+impl<S: Sample> Search<'_, S> {
+    /// What a proxy at `position` moves toward: on the map, the nearest place on the map.
+    fn target(&self, position: &GridPoint) -> GridPoint {
+        if self.field.is_on_map(position) {
+            self.field.nearest_on_map(&self.goal)
+        } else {
+            self.goal
+        }
+    }
+
+    /// The corner of a triangle that is closest to the goal (paper 3.2).
+    fn nearest_corner(&self, triangle: &Triangle) -> (i64, i64) {
+        let target = self.field.nearest_on_map(&self.goal);
+        let squared_distance = |&(column, row): &(i64, i64)| {
+            let elevation = self.field.elevation(column, row);
+            self.weights.squared(target.relative_to(column, row, elevation))
+        };
+        let corners = triangle.corners();
+        let mut nearest = (corners[0], squared_distance(&corners[0]));
+        for corner in &corners[1..] {
+            let distance = squared_distance(corner);
+            if distance < nearest.1 {
+                nearest = (*corner, distance);
+            }
+        }
+        nearest.0
+    }
+}
+
+impl Counters {
+    /// What counts against the step budget.
+    fn steps(&self) -> u32 {
+        self.vertices + self.cells
+    }
+}
+
+/// Cells over the ground from one point to the other along the longer axis, rounded up, at least 1.
+fn cells_between(from: &GridPoint, to: &GridPoint) -> u32 {
+    let [columns, rows, _] = to.relative_to(from.column, from.row, 0.0);
+    let longer = (columns - from.u).abs().max((rows - from.v).abs());
+    (longer.ceil() as u32).max(1)
+}

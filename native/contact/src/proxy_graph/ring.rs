@@ -1,0 +1,248 @@
+//! The six edges and faces around a vertex, and the minima that lie on them.
+//!
+//! Places are given in columns, rows and metres relative to the vertex. Planes and insides do not
+//! depend on how these are measured; only scalar products do, and they take the [`Weights`].
+
+use surface::lattice::{EAST, SOUTH, along_edges, clockwise, counterclockwise, gradient, sector};
+use surface::{GridPoint, Heightfield, Metric, Sample};
+
+/// The metric of the workspace as weights of a scalar product over columns, rows and metres.
+///
+/// All are relative to the width of a cell: which point is nearest does not depend on the unit of
+/// length, so nothing overflows or vanishes however small or large the workspace is.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Weights {
+    row: f64,
+    up: f64,
+}
+
+impl Weights {
+    pub(super) fn new(metric: &Metric) -> Self {
+        let (row, up) = (metric.row / metric.column, metric.up / metric.column);
+        Self { row: row * row, up: up * up }
+    }
+
+    #[inline(always)]
+    fn product(&self, a: [f64; 3], b: [f64; 3]) -> f64 {
+        a[0] * b[0] + self.row * (a[1] * b[1]) + self.up * (a[2] * b[2])
+    }
+
+    #[inline(always)]
+    pub(super) fn squared(&self, a: [f64; 3]) -> f64 {
+        self.product(a, a)
+    }
+
+    /// The scalar product with every term positive: its rounding error is a few units in the last
+    /// place of this.
+    fn magnitude(&self, a: [f64; 3], b: [f64; 3]) -> f64 {
+        self.product(a.map(f64::abs), b.map(f64::abs))
+    }
+}
+
+/// A vertex and its neighbours.
+pub(super) struct Ring {
+    column: i64,
+    row: i64,
+    elevation: f64,
+    /// Rise along each edge, metres; NaN where the neighbour is void or off the map.
+    rises: [f64; 6],
+}
+
+/// An edge that leads toward the goal.
+pub(super) struct Edge {
+    pub(super) k: usize,
+    /// Whether its end is closer to the goal than the vertex.
+    pub(super) end_is_closer: bool,
+    vector: [f64; 3],
+    /// Share of the edge at which it is closest to the goal, from 0 to 1.
+    closest_share: f64,
+}
+
+/// The closest point to the goal on an edge and the two faces beside it.
+pub(super) enum Minimum {
+    /// On edge `k`, at this share of it.
+    OnEdge { k: usize, share: f64 },
+    /// On face `k`, this many columns east and rows south of the vertex.
+    OnFace { k: usize, u: f64, v: f64 },
+    /// On the edge of face `k` opposite the vertex, at this share from the end of edge `k`; of its
+    /// two ends, that of edge `nearest` is closer to the goal (paper 3.3).
+    BeyondFarEdge { k: usize, share: f64, nearest: usize },
+}
+
+impl Ring {
+    #[inline(always)]
+    pub(super) fn new<S: Sample>(field: &Heightfield<S>, column: i64, row: i64) -> Self {
+        let elevation = field.elevation(column, row);
+        let rise = |k: usize| field.elevation(column + EAST[k], row + SOUTH[k]) - elevation;
+        let rises = [rise(0), rise(1), rise(2), rise(3), rise(4), rise(5)];
+        Self { column, row, elevation, rises }
+    }
+
+    pub(super) fn vertex(&self) -> (i64, i64) {
+        (self.column, self.row)
+    }
+
+    /// Metres.
+    pub(super) fn elevation(&self) -> f64 {
+        self.elevation
+    }
+
+    pub(super) fn neighbour(&self, k: usize) -> (i64, i64) {
+        (self.column + EAST[k], self.row + SOUTH[k])
+    }
+
+    /// The face over which the direction (`u`, `v`) leads. Along an edge, one that exists if either does.
+    #[inline(always)]
+    pub(super) fn face_toward(&self, u: f64, v: f64) -> usize {
+        let k = sector(u, v);
+        if self.is_present(k) { k } else { self.other_face_toward(k, u, v) }
+    }
+
+    /// Whether the goal is on or under the plane of face `k`: then that face obstructs the way to
+    /// it (paper 3.5). An absent face obstructs nothing.
+    #[inline(always)]
+    pub(super) fn blocks(&self, k: usize, goal: [f64; 3]) -> bool {
+        self.height_over_face(k, goal) <= 0.0
+    }
+
+    /// The edge with the most negative edge gradient (paper figure 8), if any is negative.
+    #[inline(always)]
+    pub(super) fn steepest_edge(&self, goal: [f64; 3], weights: &Weights) -> Option<Edge> {
+        let (mut steepest, mut best_gain) = (None, 0.0);
+        for k in 0..6 {
+            let edge = self.edge_vector(k);
+            let product = weights.product(edge, goal);
+            // Edge gradients are compared by their squares, and without the factor that all share:
+            // the distance to the goal.
+            if product > 0.0 {
+                let gain = product * product / weights.squared(edge);
+                if gain > best_gain && self.has_face(k) {
+                    (steepest, best_gain) = (Some((k, product)), gain);
+                }
+            }
+        }
+        let (k, product) = steepest?;
+        Some(self.edge_toward(k, product, goal, weights))
+    }
+
+    /// The closest point to the goal on an edge that has a minimum, and on the two faces beside it
+    /// (paper equations 1 and 2). Where the goal's projection on a face lies between the lines of
+    /// the vertex's edges but beyond the third, the closest point is on that far edge (paper 3.3).
+    pub(super) fn minimum_beside(&self, edge: &Edge, goal: [f64; 3], weights: &Weights) -> Minimum {
+        let share = edge.closest_share;
+        let mut minimum = Minimum::OnEdge { k: edge.k, share };
+        let mut squared_distance = weights.squared(beyond(goal, edge.vector, share));
+        for k in [edge.k, counterclockwise(edge.k)] {
+            if !self.is_present(k) {
+                continue;
+            }
+            let (found, distance) = match self.face_minimum(k, goal, weights) {
+                Some(found) => found,
+                None => continue,
+            };
+            if distance < squared_distance {
+                (minimum, squared_distance) = (found, distance);
+            }
+        }
+        minimum
+    }
+
+    pub(super) fn point_on_edge(&self, k: usize, share: f64) -> GridPoint {
+        let [u, v, rise] = self.edge_vector(k).map(|part| share * part);
+        GridPoint::from_sample(self.column, self.row, u, v, self.elevation + rise)
+    }
+
+    pub(super) fn point_on_face(&self, k: usize, u: f64, v: f64) -> GridPoint {
+        let elevation = self.elevation + self.plane_rise(k, u, v);
+        GridPoint::from_sample(self.column, self.row, u, v, elevation)
+    }
+
+    #[inline(always)]
+    fn is_present(&self, k: usize) -> bool {
+        !(self.rises[k] + self.rises[clockwise(k)]).is_nan()
+    }
+
+    /// Whether edge `k` bounds at least one face.
+    fn has_face(&self, k: usize) -> bool {
+        self.is_present(k) || self.is_present(counterclockwise(k))
+    }
+
+    #[cold]
+    fn other_face_toward(&self, absent: usize, u: f64, v: f64) -> usize {
+        let leads_over = |&k: &usize| {
+            let (first, second) = along_edges(k, u, v);
+            first >= 0.0 && second >= 0.0 && self.is_present(k)
+        };
+        (0..6).find(leads_over).unwrap_or(absent)
+    }
+
+    #[inline(always)]
+    fn edge_vector(&self, k: usize) -> [f64; 3] {
+        [EAST[k] as f64, SOUTH[k] as f64, self.rises[k]]
+    }
+
+    #[inline(always)]
+    fn plane_rise(&self, k: usize, u: f64, v: f64) -> f64 {
+        let (first, second) = along_edges(k, u, v);
+        first * self.rises[k] + second * self.rises[clockwise(k)]
+    }
+
+    #[inline(always)]
+    fn height_over_face(&self, k: usize, goal: [f64; 3]) -> f64 {
+        goal[2] - self.plane_rise(k, goal[0], goal[1])
+    }
+
+    #[inline(always)]
+    fn edge_toward(&self, k: usize, product: f64, goal: [f64; 3], weights: &Weights) -> Edge {
+        let vector = self.edge_vector(k);
+        let squared_length = weights.squared(vector);
+        // The end is closer by more than rounding can feign, so that a chain of steps never comes
+        // round to where it began.
+        let gained = 2.0 * product - squared_length;
+        let rounding =
+            8.0 * f64::EPSILON * (2.0 * weights.magnitude(vector, goal) + squared_length);
+        let closest_share = (product / squared_length).min(1.0);
+        Edge { k, end_is_closer: gained > rounding, vector, closest_share }
+    }
+
+    /// The goal's projection on face `k` where it is inside the face, or the closest point of the
+    /// far edge where it is beyond that, and the squared distance; `None` where it is elsewhere.
+    fn face_minimum(&self, k: usize, goal: [f64; 3], weights: &Weights) -> Option<(Minimum, f64)> {
+        let (east, south) = gradient(k, self.rises[k], self.rises[clockwise(k)]);
+        // The plane's normal, raised by the inverse metric: equation 2 in these coordinates.
+        let normal = [-east, -south / weights.row, 1.0 / weights.up];
+        let squared_normal = east * east + south * south / weights.row + 1.0 / weights.up;
+        let height = self.height_over_face(k, goal);
+        let shift = height / squared_normal;
+        let (u, v) = (goal[0] - shift * normal[0], goal[1] - shift * normal[1]);
+
+        let (first, second) = along_edges(k, u, v);
+        if !(first >= 0.0 && second >= 0.0) {
+            return None;
+        }
+        if first + second <= 1.0 {
+            return Some((Minimum::OnFace { k, u, v }, height * shift));
+        }
+        Some(self.far_edge_minimum(k, goal, weights))
+    }
+
+    fn far_edge_minimum(&self, k: usize, goal: [f64; 3], weights: &Weights) -> (Minimum, f64) {
+        let next = clockwise(k);
+        let (start, end) = (self.edge_vector(k), self.edge_vector(next));
+        let far_edge = beyond(end, start, 1.0);
+        let from_start = beyond(goal, start, 1.0);
+        let from_end = beyond(goal, end, 1.0);
+        let share = weights.product(from_start, far_edge) / weights.squared(far_edge);
+        let share = share.clamp(0.0, 1.0);
+        let starts_nearer = weights.squared(from_start) < weights.squared(from_end);
+        let nearest = if starts_nearer { k } else { next };
+        let squared_distance = weights.squared(beyond(from_start, far_edge, share));
+        (Minimum::BeyondFarEdge { k, share, nearest }, squared_distance)
+    }
+}
+
+/// The vector to `goal` from the place at `share` of `edge`.
+#[inline(always)]
+fn beyond(goal: [f64; 3], edge: [f64; 3], share: f64) -> [f64; 3] {
+    [goal[0] - share * edge[0], goal[1] - share * edge[1], goal[2] - share * edge[2]]
+}
