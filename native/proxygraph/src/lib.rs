@@ -1,1 +1,36 @@
-//! placeholder
+//! The Python module `proxygraph`: converts and names, decides nothing. Its contract, with shapes,
+//! units and errors, is `proxygraph.pyi`.
+
+mod devices;
+mod errors;
+mod grid;
+mod model;
+mod session;
+mod state;
+mod ticks;
+
+use pyo3::prelude::*;
+
+#[pymodule(name = "proxygraph")]
+mod module {
+    use super::*;
+    #[pymodule_export]
+    use crate::devices::{ScriptedDevice, SimulatedDevice};
+    #[pymodule_export]
+    use crate::errors::{GridError, SessionError};
+    #[pymodule_export]
+    use crate::grid::{Grid, GridLayout, GridRange};
+    #[pymodule_export]
+    use crate::model::{Contact, ProxyGraph};
+    #[pymodule_export]
+    use crate::session::{Session, Window};
+    #[pymodule_export]
+    use crate::state::{State, Statistics};
+    #[pymodule_export]
+    use crate::ticks::Ticks;
+
+    #[pymodule_init]
+    fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        module.add("__version__", env!("CARGO_PKG_VERSION"))
+    }
+}

@@ -1,0 +1,33 @@
+//! The module's exceptions.
+
+use pyo3::create_exception;
+use pyo3::exceptions::{PyRuntimeError, PyValueError};
+use pyo3::prelude::*;
+
+create_exception!(
+    proxygraph,
+    GridError,
+    PyValueError,
+    "A layout, a file or a buffer cannot be used as a grid; the text says what was found and expected."
+);
+create_exception!(
+    proxygraph,
+    SessionError,
+    PyRuntimeError,
+    "A session was used in a state that does not allow the call."
+);
+
+/// A grid error from anything that explains itself.
+pub fn grid_error(error: impl std::fmt::Display) -> PyErr {
+    GridError::new_err(error.to_string())
+}
+
+/// A session error from anything that explains itself.
+pub fn session_error(error: impl std::fmt::Display) -> PyErr {
+    SessionError::new_err(error.to_string())
+}
+
+/// A `ValueError` from anything that explains itself.
+pub fn value_error(error: impl std::fmt::Display) -> PyErr {
+    PyValueError::new_err(error.to_string())
+}

@@ -1,0 +1,307 @@
+//! Grids and their layouts.
+
+use crate::errors::grid_error;
+use pyo3::buffer::PyUntypedBuffer;
+use pyo3::prelude::*;
+use pyo3::types::PyBytes;
+use std::path::PathBuf;
+use std::sync::Arc;
+use surface::{ByteOrder, GridPoint, SampleType};
+
+/// Where the samples of a row-major grid lie, and what they mean.
+#[pyclass(frozen, eq, module = "proxygraph")]
+#[derive(Clone, PartialEq)]
+pub struct GridLayout {
+    layout: surface::GridLayout,
+}
+
+const SAMPLES: [(&str, SampleType); 5] = [
+    ("i16", SampleType::I16),
+    ("u16", SampleType::U16),
+    ("i32", SampleType::I32),
+    ("f32", SampleType::F32),
+    ("f64", SampleType::F64),
+];
+const ORDERS: [(&str, ByteOrder); 2] = [("big", ByteOrder::Big), ("little", ByteOrder::Little)];
+
+#[pymethods]
+impl GridLayout {
+    #[new]
+    #[pyo3(signature = (rows, columns, *, cell_width, cell_height, sample="i16", byte_order="big",
+        offset=0, row_stride=None, scale=1.0, value_offset=0.0, void=None, wraps=false))]
+    #[expect(clippy::too_many_arguments, reason = "keyword arguments of the Python contract")]
+    fn new(
+        rows: i128,
+        columns: i128,
+        cell_width: f64,
+        cell_height: f64,
+        sample: &str,
+        byte_order: &str,
+        offset: i128,
+        row_stride: Option<i128>,
+        scale: f64,
+        value_offset: f64,
+        void: Option<f64>,
+        wraps: bool,
+    ) -> PyResult<Self> {
+        let rows = unsigned("rows", rows)?;
+        let columns = unsigned("columns", columns)?;
+        let sample = named("sample", sample, &SAMPLES)?;
+        let order = named("byte_order", byte_order, &ORDERS)?;
+        let packed =
+            surface::GridLayout::packed(rows, columns, cell_width, cell_height, sample, order);
+        let mut layout = packed
+            .and_then(|layout| layout.with_values(scale, value_offset))
+            .map_err(grid_error)?
+            .with_void(void)
+            .with_wrap(wraps);
+        layout = layout.with_offset(unsigned("offset", offset)?).map_err(grid_error)?;
+        if let Some(stride) = row_stride {
+            let stride = unsigned("row_stride", stride)?;
+            layout = layout.with_row_stride(stride).map_err(grid_error)?;
+        }
+        Ok(Self { layout })
+    }
+
+    #[getter]
+    fn rows(&self) -> u32 {
+        self.layout.rows()
+    }
+
+    #[getter]
+    fn columns(&self) -> u32 {
+        self.layout.columns()
+    }
+
+    #[getter]
+    fn cell_width(&self) -> f64 {
+        self.layout.cell_width()
+    }
+
+    #[getter]
+    fn cell_height(&self) -> f64 {
+        self.layout.cell_height()
+    }
+
+    #[getter]
+    fn sample(&self) -> &'static str {
+        name_of(self.layout.sample(), &SAMPLES)
+    }
+
+    #[getter]
+    fn byte_order(&self) -> &'static str {
+        name_of(self.layout.byte_order(), &ORDERS)
+    }
+
+    #[getter]
+    fn offset(&self) -> u64 {
+        self.layout.offset()
+    }
+
+    #[getter]
+    fn row_stride(&self) -> u64 {
+        self.layout.row_stride()
+    }
+
+    #[getter]
+    fn scale(&self) -> f64 {
+        self.layout.scale()
+    }
+
+    #[getter]
+    fn value_offset(&self) -> f64 {
+        self.layout.value_offset()
+    }
+
+    #[getter]
+    fn void(&self) -> Option<f64> {
+        self.layout.void()
+    }
+
+    #[getter]
+    fn wraps(&self) -> bool {
+        self.layout.wraps()
+    }
+
+    #[getter]
+    fn samples(&self) -> u64 {
+        self.layout.samples()
+    }
+
+    #[getter]
+    fn triangles(&self) -> u64 {
+        self.layout.triangles()
+    }
+
+    #[getter]
+    fn byte_length(&self) -> u64 {
+        self.layout.byte_length()
+    }
+
+    fn __repr__(&self) -> String {
+        format!(
+            "GridLayout({}, {}, cell_width={}, cell_height={}, sample='{}', byte_order='{}', wraps={})",
+            self.rows(),
+            self.columns(),
+            self.cell_width(),
+            self.cell_height(),
+            self.sample(),
+            self.byte_order(),
+            if self.wraps() { "True" } else { "False" },
+        )
+    }
+}
+
+/// The lowest and the highest sample of a grid.
+#[pyclass(frozen, module = "proxygraph")]
+pub struct GridRange {
+    range: surface::GridRange,
+}
+
+#[pymethods]
+impl GridRange {
+    #[getter]
+    fn minimum(&self) -> f64 {
+        self.range.minimum
+    }
+
+    #[getter]
+    fn minimum_cell(&self) -> (u32, u32) {
+        self.range.minimum_cell
+    }
+
+    #[getter]
+    fn maximum(&self) -> f64 {
+        self.range.maximum
+    }
+
+    #[getter]
+    fn maximum_cell(&self) -> (u32, u32) {
+        self.range.maximum_cell
+    }
+
+    #[getter]
+    fn voids(&self) -> u64 {
+        self.range.voids
+    }
+}
+
+/// An elevation grid whose samples stay where they lie.
+#[pyclass(frozen, module = "proxygraph")]
+pub struct Grid {
+    grid: Arc<surface::Grid>,
+}
+
+impl Grid {
+    pub fn shared(&self) -> Arc<surface::Grid> {
+        Arc::clone(&self.grid)
+    }
+}
+
+#[pymethods]
+impl Grid {
+    #[staticmethod]
+    fn open(py: Python<'_>, path: PathBuf, layout: &GridLayout) -> PyResult<Self> {
+        let grid = py.detach(|| surface::Grid::open(&path, layout.layout)).map_err(grid_error)?;
+        Ok(Self { grid: Arc::new(grid) })
+    }
+
+    #[staticmethod]
+    fn from_buffer(buffer: &Bound<'_, PyAny>, layout: &GridLayout) -> PyResult<Self> {
+        let buffer = PyUntypedBuffer::get(buffer)?;
+        if !buffer.is_c_contiguous() {
+            return Err(grid_error("the buffer is not C-contiguous; pass a copy that is"));
+        }
+        let (address, length) = (buffer.buf_ptr().cast::<u8>(), buffer.len_bytes());
+        // SAFETY: the exporter keeps the memory in place until the buffer is released, which
+        // happens when the grid drops it.
+        let grid = unsafe {
+            surface::Grid::from_foreign(address, length, Box::new(buffer), layout.layout)
+        };
+        Ok(Self { grid: Arc::new(grid.map_err(grid_error)?) })
+    }
+
+    #[getter]
+    fn layout(&self) -> GridLayout {
+        GridLayout { layout: *self.grid.layout() }
+    }
+
+    #[getter]
+    fn damaged(&self) -> bool {
+        self.grid.damaged()
+    }
+
+    fn elevation(&self, column: i64, row: i64) -> Option<f64> {
+        self.grid.elevation(column, row)
+    }
+
+    fn elevation_at(&self, east: f64, north: f64) -> Option<f64> {
+        let point = grid_point(&self.grid, east, north, 0.0);
+        if point.is_finite() { self.grid.surface_elevation(&point) } else { None }
+    }
+
+    fn elevations<'py>(
+        &self,
+        py: Python<'py>,
+        columns: Vec<i64>,
+        rows: Vec<i64>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let doubles = py.detach(|| {
+            let read = |(column, row)| self.grid.elevation(column, row).unwrap_or(f64::NAN);
+            let cells =
+                rows.iter().flat_map(|&row| columns.iter().map(move |&column| (column, row)));
+            cells.map(read).collect::<Vec<f64>>()
+        });
+        memoryview_of_doubles(py, &doubles)
+    }
+
+    fn range(&self, py: Python<'_>) -> Option<GridRange> {
+        py.detach(|| self.grid.range()).map(|range| GridRange { range })
+    }
+}
+
+/// The grid point at terrain metres east, north and up.
+pub fn grid_point(grid: &surface::Grid, east: f64, north: f64, up: f64) -> GridPoint {
+    let layout = grid.layout();
+    GridPoint::new(east / layout.cell_width(), -north / layout.cell_height(), up)
+}
+
+/// Terrain metres (east, north, up) of a grid point.
+pub fn terrain_point(grid: &surface::Grid, point: &GridPoint) -> (f64, f64, f64) {
+    let layout = grid.layout();
+    let east = point.columns() * layout.cell_width();
+    // Subtracted from zero, because -0.0 would be shown as such.
+    (east, 0.0 - point.rows() * layout.cell_height(), point.elevation)
+}
+
+/// A memoryview of format `d`.
+pub fn memoryview_of_doubles<'py>(py: Python<'py>, doubles: &[f64]) -> PyResult<Bound<'py, PyAny>> {
+    let bytes = PyBytes::new_with(py, size_of_val(doubles), |bytes| {
+        for (place, value) in bytes.chunks_exact_mut(size_of::<f64>()).zip(doubles) {
+            place.copy_from_slice(&value.to_ne_bytes());
+        }
+        Ok(())
+    })?;
+    py.import("builtins")?.getattr("memoryview")?.call1((bytes,))?.call_method1("cast", ("d",))
+}
+
+fn unsigned(field: &str, value: i128) -> PyResult<u64> {
+    let refused =
+        || grid_error(format!("{field} is {value}; expected a whole number from 0 to 2^64 - 1"));
+    u64::try_from(value).map_err(|_| refused())
+}
+
+fn named<T: Copy>(field: &str, name: &str, known: &[(&'static str, T)]) -> PyResult<T> {
+    match known.iter().find(|(known_name, _)| *known_name == name) {
+        Some((_, value)) => Ok(*value),
+        None => {
+            let names: Vec<_> = known.iter().map(|(known_name, _)| *known_name).collect();
+            let names = names.join(", ");
+            Err(grid_error(format!("{field} is '{name}'; expected one of {names}")))
+        }
+    }
+}
+
+fn name_of<T: PartialEq>(value: T, known: &[(&'static str, T)]) -> &'static str {
+    known.iter().find(|(_, known_value)| *known_value == value).map_or("", |(name, _)| name)
+}

@@ -1,0 +1,161 @@
+//! Sessions and the window they look through.
+
+use crate::devices::AnyDevice;
+use crate::errors::{session_error, value_error};
+use crate::grid::Grid;
+use crate::state::{State, Statistics};
+use crate::ticks::Ticks;
+use pyo3::prelude::*;
+use pyo3::sync::MutexExt;
+use servo::Settings;
+use std::sync::{Mutex, MutexGuard};
+
+/// The workspace frame laid over the terrain.
+#[pyclass(frozen, module = "proxygraph")]
+pub struct Window {
+    window: servo::Window,
+}
+
+#[pymethods]
+impl Window {
+    #[new]
+    #[pyo3(signature = (east, north, up, *, width, exaggeration=1.0))]
+    fn new(east: f64, north: f64, up: f64, width: f64, exaggeration: f64) -> PyResult<Self> {
+        let window = servo::Window::new(east, north, up, width, exaggeration);
+        Ok(Self { window: window.map_err(value_error)? })
+    }
+
+    #[getter]
+    fn east(&self) -> f64 {
+        self.window.east()
+    }
+
+    #[getter]
+    fn north(&self) -> f64 {
+        self.window.north()
+    }
+
+    #[getter]
+    fn up(&self) -> f64 {
+        self.window.up()
+    }
+
+    #[getter]
+    fn width(&self) -> f64 {
+        self.window.width()
+    }
+
+    #[getter]
+    fn exaggeration(&self) -> f64 {
+        self.window.exaggeration()
+    }
+
+    fn __repr__(&self) -> String {
+        let (east, north, up) = (self.east(), self.north(), self.up());
+        let (width, exaggeration) = (self.width(), self.exaggeration());
+        format!("Window({east}, {north}, {up}, width={width}, exaggeration={exaggeration})")
+    }
+}
+
+/// A grid, a device and a contact model in one loop.
+#[pyclass(frozen, module = "proxygraph")]
+pub struct Session {
+    session: Mutex<servo::Session>,
+}
+
+impl Session {
+    /// Whoever else holds the session may be waiting for the interpreter, so it is let go meanwhile.
+    fn lock(&self, py: Python<'_>) -> MutexGuard<'_, servo::Session> {
+        self.session.lock_py_attached(py).unwrap_or_else(|poisoned| poisoned.into_inner())
+    }
+
+    /// Runs something that may take long without the interpreter.
+    fn detached<T: Send>(
+        &self,
+        py: Python<'_>,
+        long: impl FnOnce(&mut servo::Session) -> T + Send,
+    ) -> T {
+        py.detach(|| {
+            let mut session = self.session.lock().unwrap_or_else(|poisoned| poisoned.into_inner());
+            long(&mut session)
+        })
+    }
+}
+
+#[pymethods]
+impl Session {
+    #[new]
+    #[pyo3(signature = (grid, device, window, *, stiffness=500.0, max_force=8.0, ring_seconds=60.0,
+        step_budget=4096))]
+    #[expect(clippy::too_many_arguments, reason = "keyword arguments of the Python contract")]
+    fn new(
+        grid: &Grid,
+        device: AnyDevice<'_>,
+        window: &Window,
+        stiffness: f64,
+        max_force: f64,
+        ring_seconds: f64,
+        step_budget: u32,
+    ) -> PyResult<Self> {
+        let model = Box::new(contact::ProxyGraph::new(step_budget));
+        let settings = Settings { stiffness, max_force, ring_seconds };
+        let session =
+            servo::Session::new(grid.shared(), device.take()?, model, window.window, settings);
+        Ok(Self { session: Mutex::new(session.map_err(value_error)?) })
+    }
+
+    fn start(&self, py: Python<'_>) -> PyResult<()> {
+        self.detached(py, |session| session.start()).map_err(session_error)
+    }
+
+    fn stop(&self, py: Python<'_>) {
+        self.detached(py, |session| session.stop());
+    }
+
+    fn step(&self, py: Python<'_>, count: u64) -> PyResult<()> {
+        self.detached(py, |session| session.step(count)).map_err(session_error)
+    }
+
+    #[getter]
+    fn running(&self, py: Python<'_>) -> bool {
+        self.lock(py).running()
+    }
+
+    #[getter]
+    fn fault(&self, py: Python<'_>) -> Option<String> {
+        self.lock(py).fault().map(ToString::to_string)
+    }
+
+    #[getter]
+    fn window(&self, py: Python<'_>) -> Window {
+        Window { window: self.lock(py).window() }
+    }
+
+    fn set_window(&self, py: Python<'_>, window: &Window) -> PyResult<()> {
+        self.lock(py).set_window(window.window).map_err(session_error)
+    }
+
+    fn set_target(&self, py: Python<'_>, x: f64, y: f64, z: f64) -> PyResult<()> {
+        self.lock(py).set_target([x, y, z]).map_err(session_error)
+    }
+
+    fn state(&self, py: Python<'_>) -> State {
+        State::new(self.lock(py).state())
+    }
+
+    fn statistics(&self, py: Python<'_>) -> Statistics {
+        Statistics::new(self.lock(py).statistics())
+    }
+
+    fn drain(&self, py: Python<'_>) -> Ticks {
+        Ticks::new(self.lock(py).drain())
+    }
+}
+
+impl Drop for Session {
+    fn drop(&mut self) {
+        // Stopping joins the servo's thread; other Python threads need not wait for that.
+        let session = self.session.get_mut().unwrap_or_else(|poisoned| poisoned.into_inner());
+        Python::attach(|py| py.detach(|| session.stop()));
+    }
+}

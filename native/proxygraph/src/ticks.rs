@@ -1,0 +1,74 @@
+//! Every tick of a session, by column.
+
+use crate::grid::memoryview_of_doubles;
+use contact::Feature;
+use pyo3::exceptions::PyKeyError;
+use pyo3::prelude::*;
+use pyo3::types::PyTuple;
+use servo::TickRecord;
+
+/// A column's name and how its value is read from a tick.
+type Column = (&'static str, fn(&TickRecord) -> f64);
+
+const COLUMNS: [Column; 18] = [
+    ("tick", |tick| tick.tick as f64),
+    ("time", |tick| tick.time),
+    ("hand_x", |tick| tick.hand[0]),
+    ("hand_y", |tick| tick.hand[1]),
+    ("hand_z", |tick| tick.hand[2]),
+    ("goal_east", |tick| tick.goal[0]),
+    ("goal_north", |tick| tick.goal[1]),
+    ("goal_up", |tick| tick.goal[2]),
+    ("proxy_east", |tick| tick.proxy[0]),
+    ("proxy_north", |tick| tick.proxy[1]),
+    ("proxy_up", |tick| tick.proxy[2]),
+    ("force_x", |tick| tick.force[0]),
+    ("force_y", |tick| tick.force[1]),
+    ("force_z", |tick| tick.force[2]),
+    ("feature", |tick| feature_number(tick.feature)),
+    ("vertices", |tick| f64::from(tick.vertices)),
+    ("collision_tests", |tick| f64::from(tick.collision_tests)),
+    ("cells", |tick| f64::from(tick.cells)),
+];
+
+/// Every tick since the last drain.
+#[pyclass(frozen, module = "proxygraph")]
+pub struct Ticks {
+    ticks: Vec<TickRecord>,
+}
+
+impl Ticks {
+    pub fn new(ticks: Vec<TickRecord>) -> Self {
+        Self { ticks }
+    }
+}
+
+#[pymethods]
+impl Ticks {
+    #[classattr]
+    fn columns(py: Python<'_>) -> PyResult<Py<PyTuple>> {
+        Ok(PyTuple::new(py, COLUMNS.map(|(name, _)| name))?.unbind())
+    }
+
+    fn __len__(&self) -> usize {
+        self.ticks.len()
+    }
+
+    fn column<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyAny>> {
+        let known = COLUMNS.iter().find(|(known, _)| *known == name);
+        let Some((_, value)) = known else {
+            return Err(PyKeyError::new_err(format!("'{name}' is not one of Ticks.columns")));
+        };
+        let values: Vec<f64> = self.ticks.iter().map(value).collect();
+        memoryview_of_doubles(py, &values)
+    }
+}
+
+fn feature_number(feature: Feature) -> f64 {
+    match feature {
+        Feature::Free => 0.0,
+        Feature::Face => 1.0,
+        Feature::Edge => 2.0,
+        Feature::Vertex => 3.0,
+    }
+}
