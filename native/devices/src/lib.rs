@@ -1,0 +1,15 @@
+//! Haptic devices behind one trait: a pose comes in, a force goes out.
+//!
+//! A device knows nothing of terrain, threads or clocks; the servo calls it once a tick. All
+//! quantities are in the device's workspace frame: metres and newtons, x to the right, y away from
+//! the person, z up, the origin where the device rests.
+
+pub mod check;
+mod device;
+mod scripted;
+mod simulated;
+
+pub use check::ParameterError;
+pub use device::{Capabilities, Device, DeviceError, Force, NOMINAL_PERIOD, Pose};
+pub use scripted::{PathError, PathPoint, ScriptedDevice};
+pub use simulated::{Hand, SimulatedDevice};

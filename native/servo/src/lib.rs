@@ -1,0 +1,31 @@
+//! The servo: once a millisecond it reads the hand, moves the proxy and answers with a force.
+//!
+//! From the inside out: a [`Servo`] does one tick; an engine around it takes commands and gives
+//! records; [`Session`] runs the engine, either on a thread of its own at 1 kHz or step by step.
+//! Both ways run the same code, and nothing in a tick waits, allocates, locks or logs.
+
+mod clock;
+mod command;
+mod deadlines;
+mod engine;
+mod fault;
+mod force;
+mod frame;
+mod histogram;
+mod live;
+mod record;
+mod servo;
+mod session;
+mod state;
+mod statistics;
+mod window;
+
+pub use fault::Fault;
+pub use frame::Frame;
+pub use histogram::{Distribution, Histogram};
+pub use record::TickRecord;
+pub use servo::Servo;
+pub use session::{Session, SessionError, Settings};
+pub use state::{Mode, State};
+pub use statistics::{Statistics, Totals};
+pub use window::Window;

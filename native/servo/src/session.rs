@@ -1,0 +1,306 @@
+//! A session: one device touching one grid, live or stepped.
+
+use std::io;
+use std::sync::{Arc, OnceLock};
+
+use contact::ContactModel;
+use devices::{Device, ParameterError};
+use rtrb::{Consumer, Producer, RingBuffer};
+use surface::Grid;
+use triple_buffer::{Output, triple_buffer};
+
+use crate::command::Command;
+use crate::engine::{COMMANDS, Engine, Ports, Snapshot, TICKS_PER_SECOND};
+use crate::live::Live;
+use crate::{Fault, Frame, Histogram, Servo, State, Statistics, TickRecord, Totals, Window};
+
+/// The longest ring: an hour of ticks takes half a gigabyte.
+const LONGEST_RING_SECONDS: f64 = 3600.0;
+
+/// The numbers of a session.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Settings {
+    /// Of the spring from hand to proxy, N/m; cut to what the device can show.
+    pub stiffness: f64,
+    /// The largest force, N; the device's own limit holds too.
+    pub max_force: f64,
+    /// Seconds of ticks kept for [`Session::drain`], up to an hour.
+    pub ring_seconds: f64,
+}
+
+impl Default for Settings {
+    /// Stable on every device known so far, and gentle.
+    fn default() -> Self {
+        Settings { stiffness: 500.0, max_force: 8.0, ring_seconds: 60.0 }
+    }
+}
+
+/// A session was used in a state that does not allow the call.
+#[derive(Debug, thiserror::Error)]
+pub enum SessionError {
+    /// Started twice.
+    #[error("the session already runs")]
+    AlreadyRunning,
+    /// Stepped on the clock.
+    #[error("the session runs live: stop it before stepping")]
+    Live,
+    /// Touch ended by itself, and such a session is not started again.
+    #[error(transparent)]
+    Faulted(#[from] Fault),
+    /// The system gave no thread.
+    #[error("the servo's thread could not be made: {0}")]
+    Thread(#[source] io::Error),
+    /// The loop has not taken up what was asked before.
+    #[error(
+        "{COMMANDS} commands wait for the servo already: it stalls, or too much is asked of it"
+    )]
+    CommandsFull,
+    /// A window that cannot be laid over this grid.
+    #[error(transparent)]
+    Window(#[from] ParameterError),
+}
+
+/// Where the engine is.
+enum Place {
+    Here(Box<Engine>),
+    Live(Live),
+    /// Its thread broke down with it; the fault says so.
+    Lost,
+}
+
+/// A grid, a device and a contact model in one loop: 1 kHz live, or stepped.
+///
+/// Dropping it stops the thread after a last zero force.
+pub struct Session {
+    place: Place,
+    grid: Arc<Grid>,
+    window: Window,
+    workspace: [f64; 3],
+    stiffness: f64,
+    max_force: f64,
+    commands: Producer<Command>,
+    records: Consumer<TickRecord>,
+    snapshots: Output<Snapshot>,
+    update_times: Arc<Histogram>,
+    lateness: Arc<Histogram>,
+    fault: Arc<OnceLock<Fault>>,
+}
+
+impl Session {
+    /// Joins them; nothing moves before [`start`](Self::start) or [`step`](Self::step).
+    pub fn new(
+        grid: Arc<Grid>,
+        device: Box<dyn Device>,
+        model: Box<dyn ContactModel>,
+        window: Window,
+        settings: Settings,
+    ) -> Result<Session, ParameterError> {
+        let capacity = ring_capacity(settings.ring_seconds)?;
+        let capabilities = device.capabilities();
+        capabilities.validate()?;
+        let frame = Frame::new(window, capabilities.workspace[0], grid.layout())?;
+        let servo = Servo::new(
+            device,
+            model,
+            Arc::clone(&grid),
+            frame,
+            settings.stiffness,
+            settings.max_force,
+        )?;
+
+        let (stiffness, max_force) = (servo.stiffness(), servo.max_force());
+        let before_the_first_tick =
+            Snapshot { state: State::from(servo.latest()), totals: Totals::default() };
+        let (commands, commands_taken) = RingBuffer::new(COMMANDS);
+        let (records_given, records) = RingBuffer::new(capacity);
+        let (snapshots_given, snapshots) = triple_buffer(&before_the_first_tick);
+        let update_times = Arc::new(Histogram::new());
+        let lateness = Arc::new(Histogram::new());
+        let ports = Ports {
+            commands: commands_taken,
+            records: records_given,
+            snapshots: snapshots_given,
+            update_times: Arc::clone(&update_times),
+            lateness: Arc::clone(&lateness),
+        };
+        Ok(Session {
+            place: Place::Here(Box::new(Engine::new(servo, ports))),
+            grid,
+            window,
+            workspace: capabilities.workspace,
+            stiffness,
+            max_force,
+            commands,
+            records,
+            snapshots,
+            update_times,
+            lateness,
+            fault: Arc::new(OnceLock::new()),
+        })
+    }
+
+    /// Runs at 1 kHz on a thread of its own. The proxy begins at the hand.
+    pub fn start(&mut self) -> Result<(), SessionError> {
+        self.refuse_after_fault()?;
+        match std::mem::replace(&mut self.place, Place::Lost) {
+            Place::Here(engine) => match Live::start(engine, Arc::clone(&self.fault)) {
+                Ok(live) => {
+                    self.place = Place::Live(live);
+                    Ok(())
+                }
+                Err((error, engine)) => {
+                    self.place = Place::Here(engine);
+                    Err(SessionError::Thread(error))
+                }
+            },
+            elsewhere => {
+                self.place = elsewhere;
+                Err(SessionError::AlreadyRunning)
+            }
+        }
+    }
+
+    /// Sends zero force and joins the thread; harmless when it does not run.
+    pub fn stop(&mut self) {
+        match std::mem::replace(&mut self.place, Place::Lost) {
+            Place::Live(live) => match live.stop() {
+                Some(engine) => self.place = Place::Here(engine),
+                None => {
+                    let words = "the servo's thread broke down".to_owned();
+                    self.fault.get_or_init(|| Fault::Panic(words));
+                }
+            },
+            elsewhere => self.place = elsewhere,
+        }
+    }
+
+    /// Does `count` ticks of 1 ms here and now, deterministically; fewer where a fault ends touch.
+    pub fn step(&mut self, count: u64) -> Result<(), SessionError> {
+        self.refuse_after_fault()?;
+        let Place::Here(engine) = &mut self.place else {
+            return Err(SessionError::Live);
+        };
+        engine.guard(|engine| {
+            for _ in 0..count {
+                engine.tick();
+                if engine.fault().is_some() {
+                    return;
+                }
+            }
+        });
+        if let Some(fault) = engine.fault() {
+            self.fault.get_or_init(|| fault.clone());
+        }
+        self.refuse_after_fault()
+    }
+
+    /// Whether it runs live; false as soon as a fault has ended touch.
+    pub fn running(&self) -> bool {
+        match &self.place {
+            Place::Live(live) => self.fault.get().is_none() && live.is_running(),
+            Place::Here(_) | Place::Lost => false,
+        }
+    }
+
+    /// Why touch ended by itself, if it did. The device has had its zero force by then.
+    pub fn fault(&self) -> Option<&Fault> {
+        self.fault.get()
+    }
+
+    /// Where the workspace lies.
+    pub fn window(&self) -> Window {
+        self.window
+    }
+
+    /// Lays the workspace elsewhere, from the next tick on. The proxy then begins anew at the hand.
+    pub fn set_window(&mut self, window: Window) -> Result<(), SessionError> {
+        let frame = Frame::new(window, self.workspace[0], self.grid.layout())?;
+        self.command(Command::SetWindow(frame))?;
+        self.window = window;
+        Ok(())
+    }
+
+    /// Where a simulated hand shall go (workspace metres), from the next tick on.
+    pub fn set_target(&mut self, target: [f64; 3]) -> Result<(), SessionError> {
+        self.command(Command::SetTarget(target))
+    }
+
+    /// The newest tick.
+    pub fn state(&mut self) -> State {
+        self.snapshots.read().state
+    }
+
+    /// Counts and times since the session was made.
+    pub fn statistics(&mut self) -> Statistics {
+        Statistics {
+            totals: self.snapshots.read().totals,
+            update_times: self.update_times.distribution(),
+            lateness: self.lateness.distribution(),
+        }
+    }
+
+    /// Every tick since the last drain that found room in the ring, oldest first.
+    pub fn drain(&mut self) -> Vec<TickRecord> {
+        // Asked once: ticks done while draining are left for the next time.
+        let waiting = self.records.slots();
+        let mut drained = Vec::with_capacity(waiting);
+        for _ in 0..waiting {
+            drained.extend(self.records.pop().ok());
+        }
+        drained
+    }
+
+    /// Width, depth and height that the hand can reach, metres.
+    pub fn workspace(&self) -> [f64; 3] {
+        self.workspace
+    }
+
+    /// Of the spring, N/m, after the device's limit.
+    pub fn stiffness(&self) -> f64 {
+        self.stiffness
+    }
+
+    /// The largest force that is sent, N, after the device's limit.
+    pub fn max_force(&self) -> f64 {
+        self.max_force
+    }
+
+    fn refuse_after_fault(&self) -> Result<(), SessionError> {
+        match self.fault.get() {
+            Some(fault) => Err(SessionError::Faulted(fault.clone())),
+            None => Ok(()),
+        }
+    }
+
+    fn command(&mut self, command: Command) -> Result<(), SessionError> {
+        match &mut self.place {
+            // Nothing empties the queue between steps, so it is not used.
+            Place::Here(engine) => {
+                engine.apply(command);
+                Ok(())
+            }
+            // A thread that ended by itself takes nothing any more, and that is no mistake of
+            // whoever moves the window meanwhile.
+            Place::Live(live) => match self.commands.push(command) {
+                Err(_) if live.is_running() => Err(SessionError::CommandsFull),
+                _ => Ok(()),
+            },
+            Place::Lost => Ok(()),
+        }
+    }
+}
+
+impl Drop for Session {
+    fn drop(&mut self) {
+        self.stop();
+    }
+}
+
+/// Ticks in that many seconds, at least one.
+fn ring_capacity(seconds: f64) -> Result<usize, ParameterError> {
+    if !(seconds > 0.0 && seconds <= LONGEST_RING_SECONDS) {
+        let expected = "above zero and at most 3600 seconds";
+        return Err(ParameterError { name: "ring_seconds", value: seconds, expected });
+    }
+    Ok((seconds * TICKS_PER_SECOND).ceil() as usize)
+}

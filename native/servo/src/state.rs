@@ -1,0 +1,65 @@
+//! The newest tick, for what is shown.
+
+use contact::Feature;
+
+use crate::TickRecord;
+
+/// What the hand's motion does.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Mode {
+    /// It moves the goal.
+    #[default]
+    Normal,
+}
+
+impl Mode {
+    /// In small letters.
+    pub fn name(self) -> &'static str {
+        match self {
+            Mode::Normal => "normal",
+        }
+    }
+}
+
+/// The newest tick of a session.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct State {
+    /// Ticks done since the session was made.
+    pub tick: u64,
+    /// Seconds on the session's clock.
+    pub time: f64,
+    /// Workspace frame, metres.
+    pub hand: [f64; 3],
+    /// The hand in the terrain frame, metres.
+    pub goal: [f64; 3],
+    /// Terrain frame, metres.
+    pub proxy: [f64; 3],
+    /// Newtons, workspace frame, as sent to the device.
+    pub force: [f64; 3],
+    /// What the proxy lies on.
+    pub feature: Feature,
+    /// What the hand's motion does.
+    pub mode: Mode,
+}
+
+impl State {
+    /// Whether the proxy lies on the surface.
+    pub fn in_contact(&self) -> bool {
+        self.feature != Feature::Free
+    }
+}
+
+impl From<&TickRecord> for State {
+    fn from(record: &TickRecord) -> State {
+        State {
+            tick: record.tick,
+            time: record.time,
+            hand: record.hand,
+            goal: record.goal,
+            proxy: record.proxy,
+            force: record.force,
+            feature: record.feature,
+            mode: Mode::Normal,
+        }
+    }
+}

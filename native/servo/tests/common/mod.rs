@@ -1,0 +1,174 @@
+//! A flat ground, devices that can be watched, and models that can be told what to do.
+
+// Every test file uses its own part of this.
+#![allow(dead_code)]
+
+use std::sync::{Arc, Mutex};
+
+use contact::{Contact, ContactModel, Counters, Feature, ProxyGraph};
+use devices::{Capabilities, Device, DeviceError, Force, Pose};
+use servo::{Session, Settings, Window};
+use surface::{ByteOrder, Grid, GridLayout, GridPoint, Metric, SampleType};
+
+/// Samples along each side of the ground.
+pub const SIDE: u32 = 64;
+
+/// Steps that a contact model may take, as by default.
+pub const STEP_BUDGET: u32 = 4096;
+
+/// A ground of 1 m cells whose elevations are given by column and row.
+pub fn ground(elevation: impl Fn(u32, u32) -> f64) -> Arc<Grid> {
+    let layout =
+        GridLayout::packed(SIDE.into(), SIDE.into(), 1.0, 1.0, SampleType::F64, ByteOrder::Little)
+            .unwrap();
+    let samples = (0..SIDE).flat_map(|row| (0..SIDE).map(move |column| (column, row)));
+    let bytes = samples.flat_map(|(column, row)| elevation(column, row).to_le_bytes()).collect();
+    Arc::new(Grid::from_vec(bytes, layout).unwrap())
+}
+
+pub fn flat_ground() -> Arc<Grid> {
+    ground(|_, _| 0.0)
+}
+
+/// The middle of the ground, 1 m of terrain being 1 cm of workspace.
+pub fn window() -> Window {
+    Window::new(32.0, -32.0, 0.0, 16.0, 1.0).unwrap()
+}
+
+pub fn proxy_graph() -> Box<dyn ContactModel> {
+    Box::new(ProxyGraph::new(STEP_BUDGET))
+}
+
+pub fn session(device: impl Device + 'static, model: Box<dyn ContactModel>) -> Session {
+    Session::new(flat_ground(), Box::new(device), model, window(), Settings::default()).unwrap()
+}
+
+/// What a watched device saw, in order.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Seen {
+    Read(f64),
+    Write([f64; 3], f64),
+    Target([f64; 3]),
+    Dropped,
+}
+
+/// What a watched device saw, for the test to look at.
+#[derive(Clone, Default)]
+pub struct Log(Arc<Mutex<Vec<Seen>>>);
+
+impl Log {
+    fn add(&self, seen: Seen) {
+        self.0.lock().unwrap().push(seen);
+    }
+
+    pub fn all(&self) -> Vec<Seen> {
+        self.0.lock().unwrap().clone()
+    }
+
+    pub fn forces(&self) -> Vec<[f64; 3]> {
+        let force_of = |seen| match seen {
+            Seen::Write(force, _) => Some(force),
+            _ => None,
+        };
+        self.all().into_iter().filter_map(force_of).collect()
+    }
+
+    pub fn last_force(&self) -> [f64; 3] {
+        *self.forces().last().expect("something was written")
+    }
+
+    pub fn reads(&self) -> usize {
+        self.all().iter().filter(|seen| matches!(seen, Seen::Read(_))).count()
+    }
+
+    pub fn dropped(&self) -> bool {
+        self.all().last() == Some(&Seen::Dropped)
+    }
+}
+
+type Answer = Box<dyn FnMut(usize) -> Result<[f64; 3], DeviceError> + Send>;
+
+/// A device that answers what the test wants, read by read, and logs everything.
+pub struct Watched {
+    log: Log,
+    answer: Answer,
+    reads: usize,
+    pub capabilities: Capabilities,
+}
+
+impl Watched {
+    /// `answer` is given the number of the read, from 0.
+    pub fn new(
+        log: &Log,
+        answer: impl FnMut(usize) -> Result<[f64; 3], DeviceError> + Send + 'static,
+    ) -> Watched {
+        Watched {
+            log: log.clone(),
+            answer: Box::new(answer),
+            reads: 0,
+            capabilities: Capabilities {
+                workspace: [0.16, 0.12, 0.12],
+                max_force: 8.0,
+                max_stiffness: f64::INFINITY,
+                delay_ticks: 0,
+            },
+        }
+    }
+
+    /// Comes from above and then stays a centimetre in the ground.
+    pub fn pressing(log: &Log) -> Watched {
+        Watched::new(log, |read| Ok([0.0, 0.0, if read == 0 { 0.01 } else { -0.01 }]))
+    }
+}
+
+impl Device for Watched {
+    fn capabilities(&self) -> Capabilities {
+        self.capabilities
+    }
+
+    fn read(&mut self, time: f64) -> Result<Pose, DeviceError> {
+        self.log.add(Seen::Read(time));
+        let read = self.reads;
+        self.reads += 1;
+        (self.answer)(read).map(|position| Pose { position })
+    }
+
+    fn write(&mut self, force: Force, dt: f64) -> Result<(), DeviceError> {
+        self.log.add(Seen::Write(force.newtons, dt));
+        Ok(())
+    }
+
+    fn set_target(&mut self, target: [f64; 3]) {
+        self.log.add(Seen::Target(target));
+    }
+}
+
+impl Drop for Watched {
+    fn drop(&mut self) {
+        self.log.add(Seen::Dropped);
+    }
+}
+
+/// A model whose proxy is where the test says.
+pub struct Told<F>(pub F);
+
+impl<F: FnMut(&GridPoint) -> (GridPoint, Feature) + Send> ContactModel for Told<F> {
+    fn name(&self) -> &'static str {
+        "told"
+    }
+
+    fn place(&mut self, _at: GridPoint) {}
+
+    fn update(&mut self, _grid: &Grid, _metric: &Metric, goal: &GridPoint) -> Contact {
+        let (proxy, feature) = (self.0)(goal);
+        let counters = Counters { vertices: 2, collision_tests: 1, ..Counters::default() };
+        Contact { proxy, feature, normal: [0.0, 0.0, 1.0], distance: 0.0, counters }
+    }
+}
+
+/// Waits until something is so; a test that hangs here is ended by whoever runs the tests.
+pub fn wait_until(mut so: impl FnMut() -> bool) {
+    while !so() {
+        std::thread::yield_now();
+    }
+}
