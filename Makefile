@@ -108,7 +108,7 @@ else
 demo: $(SITE)/site.stamp
 	@"$(BLENDER)" --version >/dev/null 2>&1 || { echo "Missing: Blender; $(BLENDER) does not run." >&2; exit 1; }
 	@"$(BLENDER)" --background --factory-startup --python-exit-code 1 --python blender_scripts/demo.py -- \
-		--site $(SITE) $(if $(GRID),--grid "$(GRID)",--sample $(dir $(SAMPLE))) --output $(BUILD)/demo
+		--site $(SITE) $(if $(GRID),--grid "$(GRID)") --output $(BUILD)/demo
 endif
 
 # What the person's own Blender lacks, unpacked: one wheel serves every Python from 3.11 on.
