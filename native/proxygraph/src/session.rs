@@ -87,7 +87,6 @@ impl Session {
     #[new]
     #[pyo3(signature = (grid, device, window, *, stiffness=500.0, max_force=8.0, ring_seconds=60.0,
         step_budget=4096))]
-    #[expect(clippy::too_many_arguments, reason = "keyword arguments of the Python contract")]
     fn new(
         grid: &Grid,
         device: AnyDevice<'_>,
