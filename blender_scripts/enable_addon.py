@@ -12,12 +12,22 @@ MODULE = "bl_ext.user_default.haptic_terrain"
 ADDON = Path(__file__).resolve().parents[1] / "addon"
 
 
+def use_resources(folder: Path) -> None:
+    """Keep Blender away from the person's own files; call it before bpy is imported first.
+
+    Args:
+        folder: for configuration, extensions and thumbnails.
+    """
+    os.environ["BLENDER_USER_RESOURCES"] = str(folder.resolve())
+    # Blender makes its folders for thumbnails here, or in the home folder.
+    os.environ["XDG_CACHE_HOME"] = str(folder.resolve() / "cache")
+
+
 def enable(resources: Path | None = None) -> ModuleType:
     """Enable the checkout's ``addon/`` as the extension ``MODULE``, and give its package.
 
     Args:
-        resources: Blender's folder for the person's configuration, which must be set before bpy is
-            imported first; where it is left out, ``BLENDER_USER_RESOURCES`` must say.
+        resources: see ``use_resources``; where it is left out, ``BLENDER_USER_RESOURCES`` must say.
 
     Raises:
         RuntimeError: no folder is set, or the extension cannot be enabled.
@@ -25,7 +35,7 @@ def enable(resources: Path | None = None) -> ModuleType:
     folder = resources or os.environ.get("BLENDER_USER_RESOURCES")
     if not folder:
         raise RuntimeError("Set BLENDER_USER_RESOURCES: a person's own configuration is not for scripts.")
-    os.environ["BLENDER_USER_RESOURCES"] = str(Path(folder).resolve())
+    use_resources(Path(folder))
     import bpy
 
     extensions = Path(bpy.utils.user_resource("EXTENSIONS", path="user_default", create=True))

@@ -7,6 +7,7 @@ were collected, so a busy and an idle Blender write the same keys.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 
 
 def ticks_at_frames(times: Sequence[float], frames_per_second: float) -> list[int]:
@@ -35,5 +36,5 @@ def keys_before_jumps(turns: Sequence[int]) -> list[bool]:
     Args:
         turns: how many times around the planet each key lies.
     """
-    jumps = [now != after for now, after in zip(turns, turns[1:], strict=False)]
+    jumps = [now != after for now, after in pairwise(turns)]
     return [*jumps, False] if turns else []

@@ -40,7 +40,7 @@ def triangle_mesh(
 
 
 def _positions(surface: PreviewSurface, frame: TerrainFrame) -> npt.NDArray[np.float32]:
-    """Object coordinates of every shown sample, voids included; the last column of a whole planet stays east."""
+    """Object coordinates of every shown sample, voids included; a planet's last column stays in the east."""
     layout = surface.layout
     east = np.array(surface.cells.columns) * layout.cell_width - frame.east
     north = np.array(surface.cells.rows) * -layout.cell_height - frame.north

@@ -8,7 +8,6 @@ from proxygraph import Grid, GridLayout, ScriptedDevice, Session, SessionError, 
 from ..terrain.frame import map_centre, map_size
 from ..terrain.kept import KeptTerrain, is_terrain, recall
 from ..terrain.preview import preview_cells, preview_surface
-
 from .handle import Handle
 from .live import Touch, live
 from .placement import Placement

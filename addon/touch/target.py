@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import bpy
-from proxygraph import Vector as Workspace
 from proxygraph import Window
 
 from ..terrain.frame import Point
@@ -35,7 +34,7 @@ def add_target(context: bpy.types.Context, placement: Placement, window: Window)
     return target
 
 
-def to_workspace(place: Point, window: Window, width: float) -> Workspace:
+def to_workspace(place: Point, window: Window, width: float) -> Point:
     """Workspace metres of a terrain place.
 
     Args:

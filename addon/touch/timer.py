@@ -1,4 +1,4 @@
-"""Blender's timer, and what else must end touch: a file being loaded, the extension going, Blender quitting."""
+"""Blender's timer, and what else must end touch: a file is loaded, the extension goes, Blender quits."""
 
 from __future__ import annotations
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import lru_cache
 from pathlib import Path
+from typing import ClassVar
 
 import bpy
 from bpy_extras.io_utils import ImportHelper
@@ -20,7 +21,7 @@ class HAPTIC_TERRAIN_OT_import_grid(bpy.types.Operator, ImportHelper):
 
     bl_idname = "haptic_terrain.import_grid"
     bl_label = "Import Planetary Terrain"
-    bl_options = {"REGISTER", "UNDO"}
+    bl_options: ClassVar = {"REGISTER", "UNDO"}
 
     # Kept from one call to the next, it would be taken for a dropped file.
     filepath: bpy.props.StringProperty(
@@ -85,8 +86,8 @@ class HAPTIC_TERRAIN_OT_import_grid(bpy.types.Operator, ImportHelper):
         frame_selected(context, max(terrain.dimensions))
         self.report(
             {"INFO"},
-            f"{kept.grid.title}: {kept.grid.samples:,} samples to touch, {len(terrain.data.vertices):,} shown, "
-            f"heights x{kept.frame.exaggeration:g}",
+            f"{kept.grid.title}: {kept.grid.samples:,} samples to touch, "
+            f"{len(terrain.data.vertices):,} shown, heights x{kept.frame.exaggeration:g}",
         )
         return {"FINISHED"}
 
@@ -101,8 +102,8 @@ class HAPTIC_TERRAIN_FH_grid(bpy.types.FileHandler):
 
     @classmethod
     def poll_drop(cls, context: bpy.types.Context) -> bool:
-        """Take drops where terrain would be seen."""
-        return context.area is not None and context.area.type in {"VIEW_3D", "OUTLINER"}
+        """Take drops where terrain would be seen, and from scripts, which have no area."""
+        return context.area is None or context.area.type in {"VIEW_3D", "OUTLINER"}
 
 
 def preview_lines(path: Path, vertex_budget: int) -> list[str]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 import bpy
 
 from ..record.recording import RecordingError, start_recording, stop_recording
@@ -38,7 +40,7 @@ class HAPTIC_TERRAIN_OT_record_stop(bpy.types.Operator):
 
     bl_idname = "haptic_terrain.record_stop"
     bl_label = "Stop Recording"
-    bl_options = {"UNDO"}
+    bl_options: ClassVar = {"UNDO"}
 
     trail: bpy.props.BoolProperty(
         name="Trail",

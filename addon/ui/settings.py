@@ -17,7 +17,7 @@ class HapticTerrainSettings(bpy.types.PropertyGroup):
     )
     window_width: bpy.props.FloatProperty(
         name="Width",
-        description="Kilometres of terrain across the device's workspace, around the Touch Target; 0 is the whole map",
+        description="Kilometres of terrain within reach, around the Touch Target; 0 is the whole map",
         default=0.0,
         min=0.0,
     )

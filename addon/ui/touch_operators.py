@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 import bpy
 
 from ..formats import FormatError
@@ -15,7 +17,7 @@ class HAPTIC_TERRAIN_OT_touch_start(bpy.types.Operator):
 
     bl_idname = "haptic_terrain.touch_start"
     bl_label = "Start Touch"
-    bl_options = {"UNDO"}
+    bl_options: ClassVar = {"UNDO"}
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:

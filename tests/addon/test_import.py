@@ -1,0 +1,244 @@
+"""From a grid file to a terrain object."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import chain
+from pathlib import Path
+
+import bpy
+import numpy as np
+import pytest
+from megdr_pair import MegdrPair, planet, rough
+from scene import contents, import_grid, module, positions, triangles
+
+
+@pytest.fixture
+def pair() -> MegdrPair:
+    return MegdrPair(rough(9, 13))
+
+
+def test_every_vertex_of_a_small_grid_is_a_sample(pair: MegdrPair, tmp_path: Path) -> None:
+    terrain = import_grid(pair.write(tmp_path))
+    kept = module("terrain.kept").recall(terrain)
+    frame, layout = kept.frame, kept.grid.layout
+    expected = [
+        frame.to_object(column * layout.cell_width, -row * layout.cell_height, pair.heights[row][column])
+        for row in range(9)
+        for column in range(13)
+    ]
+    assert np.array_equal(positions(terrain.data), np.array(expected).astype(np.float32))
+
+
+def test_elevations_are_kept_in_metres(pair: MegdrPair, tmp_path: Path) -> None:
+    mesh = import_grid(pair.write(tmp_path)).data
+    assert [value.value for value in mesh.attributes["elevation"].data] == list(chain(*pair.heights))
+
+
+def test_cells_are_split_from_north_west_to_south_east(tmp_path: Path) -> None:
+    mesh = import_grid(MegdrPair([[0, 0], [0, 10]]).write(tmp_path)).data
+    assert {frozenset(face) for face in triangles(mesh).tolist()} == {
+        frozenset({0, 2, 3}),
+        frozenset({0, 3, 1}),
+    }
+
+
+def test_faces_look_up(pair: MegdrPair, tmp_path: Path) -> None:
+    mesh = import_grid(pair.write(tmp_path)).data
+    assert all(face.normal.z > 0.0 for face in mesh.polygons)
+    assert not mesh.validate()
+
+
+@pytest.mark.parametrize("budget", [4, 20, 60, 116, 117])
+def test_the_preview_keeps_its_budget_and_shows_samples_only(
+    pair: MegdrPair, tmp_path: Path, budget: int
+) -> None:
+    terrain = import_grid(pair.write(tmp_path), vertex_budget=budget)
+    kept = module("terrain.kept").recall(terrain)
+    cells = module("terrain.preview").preview_cells(kept.grid.layout, budget)
+    assert len(terrain.data.vertices) == cells.vertices <= budget
+    assert (cells.columns[0], cells.columns[-1], cells.rows[0], cells.rows[-1]) == (0, 12, 0, 8)
+    shown = [value.value for value in terrain.data.attributes["elevation"].data]
+    assert shown == [pair.heights[row][column] for row in cells.rows for column in cells.columns]
+
+
+def test_the_count_shown_before_import_is_the_count_after(pair: MegdrPair, tmp_path: Path) -> None:
+    label = pair.write(tmp_path)
+    lines = module("ui.import_operator").preview_lines(label, 60)
+    terrain = import_grid(label, vertex_budget=60)
+    assert any(line.startswith(f"{len(terrain.data.vertices):,} vertices") for line in lines)
+
+
+def test_the_dialog_says_what_is_wrong_with_a_file(pair: MegdrPair, tmp_path: Path) -> None:
+    lines = module("ui.import_operator").preview_lines(replace(pair, image={"LINES": 1}).write(tmp_path), 60)
+    assert "LINES" in lines[0]
+
+
+def test_a_planet_closes(tmp_path: Path) -> None:
+    terrain = import_grid(planet().write(tmp_path), vertex_budget=10_000)
+    cells = module("terrain.preview").preview_cells(
+        module("terrain.kept").recall(terrain).grid.layout, 10_000
+    )
+    grid = positions(terrain.data).reshape(len(cells.rows), len(cells.columns), 3)
+    assert np.array_equal(grid[:, 0, 2], grid[:, -1, 2])
+    assert grid[0, -1, 0] - grid[0, 0, 0] == pytest.approx(10.0)
+
+
+def test_triangles_at_a_void_are_absent(tmp_path: Path) -> None:
+    heights = rough(5, 5)
+    heights[2][2] = -32768
+    mesh = import_grid(MegdrPair(heights, image={"MISSING_CONSTANT": -32768}).write(tmp_path)).data
+    assert len(mesh.vertices) == 24
+    assert len(mesh.polygons) == 32 - 6
+    assert positions(mesh)[:, 2].min() > -20.0
+    assert not mesh.validate()
+
+
+def test_the_longest_side_is_ten_units(pair: MegdrPair, tmp_path: Path) -> None:
+    assert max(import_grid(pair.write(tmp_path)).dimensions) == pytest.approx(10.0)
+
+
+@pytest.mark.parametrize(("scale", "units"), [("METRE", 1.0), ("KILOMETRE", 0.001)])
+def test_one_unit_may_be_a_metre_or_a_kilometre(
+    pair: MegdrPair, tmp_path: Path, scale: str, units: float
+) -> None:
+    terrain = import_grid(pair.write(tmp_path), scale=scale)
+    layout = module("terrain.kept").recall(terrain).grid.layout
+    assert terrain.dimensions.x == pytest.approx(12 * layout.cell_width * units)
+
+
+def test_a_chosen_exaggeration_is_used(pair: MegdrPair, tmp_path: Path) -> None:
+    terrain = import_grid(pair.write(tmp_path), scale="METRE", exaggeration=3.0)
+    relief = max(map(max, pair.heights)) - min(map(min, pair.heights))
+    assert terrain.dimensions.z == pytest.approx(3.0 * relief)
+
+
+@pytest.mark.parametrize(
+    ("relief", "expected"),
+    [(29_200, 50.0), (100_000, 10.0), (2_000_000, 1.0), (0, 1.0), (530_000, 2.0), (3, 500_000.0)],
+)
+def test_exaggeration_is_round(relief: float, expected: float) -> None:
+    frame, layout = module("terrain.frame"), _wide_layout()
+    assert frame.rounded_exaggeration(layout, 0.0, relief) == expected
+
+
+def _wide_layout() -> object:
+    """Make a map as wide as Mars."""
+    from proxygraph import GridLayout
+
+    return GridLayout(720, 1440, cell_width=14_818.0, cell_height=14_818.0, wraps=True)
+
+
+def test_georeference_is_kept_as_doubles_and_survives_a_file(pair: MegdrPair, tmp_path: Path) -> None:
+    terrain = import_grid(replace(pair, west=226.123456789).write(tmp_path))
+    name, before = terrain.name, module("terrain.kept").recall(terrain)
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "kept.blend"))
+    bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "kept.blend"))
+    after = module("terrain.kept").recall(bpy.data.objects[name])
+    assert after.grid.georeference == before.grid.georeference
+    assert after.grid.georeference.westernmost_longitude == 226.123456789
+    assert after.frame == before.frame
+    assert after.grid.data_path == before.grid.data_path
+    for field in (
+        "rows",
+        "columns",
+        "offset",
+        "row_stride",
+        "scale",
+        "value_offset",
+        "void",
+        "wraps",
+        "sample",
+    ):
+        assert getattr(after.grid.layout, field) == getattr(before.grid.layout, field)
+
+
+def test_the_terrain_is_named_synthetic_where_it_is(sample: Path) -> None:
+    terrain = import_grid(sample)
+    assert "synthetic" in terrain.name.lower()
+    assert len(terrain.data.vertices) <= 250_000
+
+
+def test_the_real_planet(mola: Path) -> None:
+    terrain = import_grid(mola.with_suffix(".img"))
+    kept = module("terrain.kept").recall(terrain)
+    assert (kept.maximum, kept.minimum) == (21134.0, -8068.0)
+    assert kept.frame.exaggeration == 50.0
+    assert 150_000 < len(terrain.data.vertices) <= 250_000
+    cells = module("terrain.preview").preview_cells(kept.grid.layout)
+    raw = np.fromfile(mola.with_suffix(".img"), dtype=">i2").reshape(720, 1440)
+    shown = np.empty(len(terrain.data.vertices), dtype=np.float32)
+    terrain.data.attributes["elevation"].data.foreach_get("value", shown)
+    assert np.array_equal(shown, raw[np.ix_(cells.rows, np.array(cells.columns) % 1440)].ravel())
+
+
+def spoil_label(label: Path) -> None:
+    label.unlink()
+
+
+def spoil_data(label: Path) -> None:
+    label.with_suffix(".img").unlink()
+
+
+def shorten_data(label: Path) -> None:
+    data = label.with_suffix(".img")
+    data.write_bytes(data.read_bytes()[:-2])
+
+
+def rename_image(label: Path) -> None:
+    label.write_text(label.read_text().replace("= IMAGE\n", "= TABLE\n"))
+
+
+def scramble(label: Path) -> None:
+    label.write_bytes(bytes(range(256)))
+
+
+def void_all(label: Path) -> None:
+    label.write_text(label.read_text().replace("SAMPLE_BITS", "MISSING_CONSTANT = 7\nSAMPLE_BITS"))
+    label.with_suffix(".img").write_bytes(b"\0\7" * 117)
+
+
+def strange_type(label: Path) -> None:
+    label.write_text(label.read_text().replace("MSB_INTEGER", "IEEE_REAL"))
+
+
+def single_line(label: Path) -> None:
+    label.write_text(label.read_text().replace("LINES = 9", "LINES = 1"))
+
+
+def strange_number(label: Path) -> None:
+    label.write_text(label.read_text().replace("LINE_SAMPLES = 13", "LINE_SAMPLES = wide"))
+
+
+@pytest.mark.parametrize(
+    ("spoil", "word"),
+    [
+        (spoil_label, "grid.lbl"),
+        (spoil_data, "GRID.IMG"),
+        (shorten_data, "234 bytes"),
+        (rename_image, "IMAGE"),
+        (scramble, "PDS3"),
+        (void_all, "MISSING_CONSTANT"),
+        (strange_type, "IEEE_REAL"),
+        (single_line, "at least 2"),
+        (strange_number, "wide"),
+    ],
+)
+def test_bad_input_is_explained_and_leaves_nothing(
+    pair: MegdrPair, tmp_path: Path, spoil: object, word: str
+) -> None:
+    label = pair.write(tmp_path)
+    spoil(label)  # type: ignore[operator]
+    before = contents()
+    with pytest.raises(RuntimeError, match=word):
+        bpy.ops.haptic_terrain.import_grid(filepath=str(label))
+    assert contents() == before
+
+
+def test_a_dropped_file_is_imported(pair: MegdrPair, tmp_path: Path) -> None:
+    label = pair.write(tmp_path)
+    handlers = [cls for cls in bpy.types.FileHandler.__subclasses__() if cls.__name__.startswith("HAPTIC")]
+    assert handlers[-1].bl_file_extensions == ".lbl;.img"
+    assert handlers[-1].bl_import_operator == "haptic_terrain.import_grid"
+    bpy.ops.wm.drop_import_file(directory=str(label.parent), files=[{"name": label.name}])
+    assert any("haptic_terrain_grid" in thing for thing in bpy.data.objects)

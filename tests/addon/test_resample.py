@@ -1,0 +1,35 @@
+"""Ticks to keys, without Blender's help."""
+
+from __future__ import annotations
+
+import pytest
+from scene import module
+
+
+def test_a_key_for_each_frame_from_the_first_tick_to_the_last_frame_within() -> None:
+    times = [tick / 1000.0 for tick in range(1, 1001)]
+    felt = module("record.resample").ticks_at_frames(times, 24.0)
+    assert len(felt) == 24
+    assert felt[0] == 0
+    assert felt == sorted(set(felt))
+    for frame, tick in enumerate(felt):
+        assert times[tick] - times[0] == pytest.approx(frame / 24.0, abs=0.0005001)
+
+
+def test_a_frame_that_ends_with_the_ticks_has_its_key() -> None:
+    times = [tick / 1000.0 for tick in range(1001)]
+    assert len(module("record.resample").ticks_at_frames(times, 25.0)) == 26
+
+
+def test_missed_ticks_hold_the_nearest_one() -> None:
+    times = [0.0, 0.001, 0.002, 0.500, 0.501]
+    assert module("record.resample").ticks_at_frames(times, 10.0) == [0, 2, 2, 3, 3, 3]
+
+
+def test_no_ticks_no_keys() -> None:
+    assert module("record.resample").ticks_at_frames([], 24.0) == []
+
+
+def test_keys_are_held_before_the_seam_only() -> None:
+    assert module("record.resample").keys_before_jumps([0, 0, 1, 1, 0]) == [False, True, False, True, False]
+    assert module("record.resample").keys_before_jumps([]) == []

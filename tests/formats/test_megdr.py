@@ -1,0 +1,267 @@
+"""What a MOLA label means."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from megdr_pair import MegdrPair, planet, rough
+
+from addon.formats import FormatError, read_grid
+
+REAL = Path(__file__).resolve().parents[3] / "shared" / "data" / "mola" / "megt90n000cb.lbl"
+
+needs_mola = pytest.mark.skipif(not REAL.is_file(), reason="the real MOLA grid is not beside the checkout")
+
+
+@pytest.fixture
+def pair() -> MegdrPair:
+    return MegdrPair(rough(4, 6))
+
+
+def test_samples_lie_where_the_label_says(pair: MegdrPair, tmp_path: Path) -> None:
+    grid = read_grid(pair.write(tmp_path))
+    samples = grid.open()
+    for row, heights in enumerate(pair.heights):
+        for column, height in enumerate(heights):
+            assert samples.elevation(column, row) == height
+
+
+def test_the_data_file_leads_to_its_label(pair: MegdrPair, tmp_path: Path) -> None:
+    label = pair.write(tmp_path)
+    assert read_grid(label.with_suffix(".img")).data_path == label.with_suffix(".img")
+
+
+@pytest.mark.parametrize("ending", ["lbl", "img", "LBL", "IMG"])
+def test_partners_in_another_letter_case_are_found(pair: MegdrPair, tmp_path: Path, ending: str) -> None:
+    label = pair.write(tmp_path)
+    label.with_suffix(".img").rename(tmp_path / "GRID.Img")
+    label.rename(tmp_path / "Grid.LBL")
+    assert read_grid(tmp_path / f"grid.{ending}").samples == 24
+
+
+@pytest.mark.parametrize(
+    ("sample_type", "sample", "first"),
+    [
+        ("MSB_INTEGER", ">h", -2000),
+        ("LSB_INTEGER", "<h", -2000),
+        ("MSB_UNSIGNED_INTEGER", ">H", 40_000),
+        ("LSB_UNSIGNED_INTEGER", "<H", 40_000),
+    ],
+)
+def test_sample_types(tmp_path: Path, sample_type: str, sample: str, first: int) -> None:
+    pair = MegdrPair([[first, 1], [2, 3]], sample=sample, image={"SAMPLE_TYPE": sample_type})
+    assert read_grid(pair.write(tmp_path)).open().elevation(0, 0) == first
+
+
+def test_scaling_factor_and_offset_are_applied(tmp_path: Path) -> None:
+    pair = MegdrPair([[4, 8], [12, 16]], image={"SCALING_FACTOR": 0.25, "OFFSET": -8000})
+    assert read_grid(pair.write(tmp_path)).open().elevation(1, 1) == 16 * 0.25 - 8000
+
+
+def test_radius_products_do_not_overflow(tmp_path: Path) -> None:
+    image = {"OFFSET": 3_396_000, "NAME": "MEDIAN_RADIUS"}
+    grid = read_grid(MegdrPair([[21134, 1], [2, 3]], image=image).write(tmp_path))
+    assert grid.open().elevation(0, 0) == 3_417_134
+    assert grid.georeference.vertical_reference == "centre of the body"
+
+
+def test_missing_constant_is_a_hole(tmp_path: Path) -> None:
+    pair = MegdrPair([[1, -32768], [2, 3]], image={"MISSING_CONSTANT": -32768})
+    assert read_grid(pair.write(tmp_path)).open().elevation(1, 0) is None
+
+
+def test_bytes_around_the_samples_are_stepped_over(tmp_path: Path) -> None:
+    pair = MegdrPair(
+        rough(2, 3), header={"^IMAGE": '("GRID.IMG", 3 <BYTES>)'}, image={"LINE_PREFIX_BYTES": 4}
+    )
+    label = pair.write(tmp_path)
+    rows = (pair.data()[:6], pair.data()[6:])
+    label.with_suffix(".img").write_bytes(b".." + b"".join(b"pre4" + row for row in rows))
+    samples = read_grid(label).open()
+    assert samples.elevation(2, 1) == pair.heights[1][2]
+
+
+def test_a_pointer_may_count_records(tmp_path: Path) -> None:
+    pair = MegdrPair(rough(2, 3), header={"^IMAGE": '("GRID.IMG", 2)'})
+    label = pair.write(tmp_path)
+    label.with_suffix(".img").write_bytes(bytes(6) + pair.data())
+    assert read_grid(label).open().elevation(0, 0) == pair.heights[0][0]
+
+
+def test_geometry_comes_from_resolution_and_limits(pair: MegdrPair, tmp_path: Path) -> None:
+    grid = read_grid(pair.write(tmp_path))
+    degree = math.pi * 3_396_000.0 / 180.0
+    assert grid.layout.cell_height == pytest.approx(degree, rel=1e-12)
+    assert grid.layout.cell_width == pytest.approx(degree * math.cos(math.radians(8.0)), rel=1e-12)
+    assert not grid.layout.wraps
+
+
+def test_samples_are_at_cell_centres(pair: MegdrPair, tmp_path: Path) -> None:
+    place = read_grid(pair.write(tmp_path)).georeference
+    assert (place.longitude(0), place.latitude(0)) == (20.5, 9.5)
+    assert (place.longitude(5), place.latitude(3)) == (25.5, 6.5)
+
+
+def test_terrain_metres_lead_to_longitude_and_latitude(pair: MegdrPair, tmp_path: Path) -> None:
+    grid = read_grid(pair.write(tmp_path))
+    place = grid.georeference.longitude_latitude(2.0 * grid.layout.cell_width, -3.0 * grid.layout.cell_height)
+    assert place == pytest.approx((22.5, 6.5))
+
+
+def test_longitudes_run_from_0_to_360_east(tmp_path: Path) -> None:
+    grid = read_grid(replace(MegdrPair(rough(4, 6)), west=-3.0).write(tmp_path))
+    assert grid.georeference.longitude(0) == 357.5
+    assert grid.georeference.longitude(5) == 2.5
+
+
+def test_a_map_across_the_meridian_may_name_its_limits_backwards(tmp_path: Path) -> None:
+    pair = replace(MegdrPair(rough(4, 6)), west=357.0, projection={"EASTERNMOST_LONGITUDE": 3.0})
+    grid = read_grid(pair.write(tmp_path))
+    assert not grid.layout.wraps
+    assert grid.georeference.longitude(3) == 0.5
+
+
+def test_a_whole_planet_wraps_and_has_no_edge(tmp_path: Path) -> None:
+    grid = read_grid(planet().write(tmp_path))
+    assert grid.layout.wraps
+    assert grid.triangles == 2 * 360 * 179
+    assert grid.layout.cell_width == pytest.approx(grid.layout.cell_height)
+
+
+def test_made_up_heights_are_named_so(pair: MegdrPair, tmp_path: Path) -> None:
+    assert not read_grid(pair.write(tmp_path)).synthetic
+    told = replace(pair, header={"DATA_SET_ID": '"HAPTIC_TERRAIN_SYNTHETIC"'}, name="told")
+    grid = read_grid(told.write(tmp_path))
+    assert grid.synthetic
+    assert "synthetic" in grid.title.lower()
+
+
+@needs_mola
+def test_the_real_planet_has_its_known_extremes() -> None:
+    grid = read_grid(REAL)
+    extent = grid.open().range()
+    assert extent is not None
+    assert (grid.samples, grid.triangles) == (1_036_800, 2_070_720)
+    place = grid.georeference
+    top, bottom = extent.maximum_cell, extent.minimum_cell
+    assert (extent.maximum, place.latitude(top[1]), place.longitude(top[0])) == (21134, 17.375, 226.875)
+    assert (extent.minimum, place.latitude(bottom[1]), place.longitude(bottom[0])) == (-8068, -32.875, 62.125)
+
+
+@needs_mola
+def test_the_real_planet_has_its_known_mean() -> None:
+    grid = read_grid(REAL)
+    samples, layout = grid.open(), grid.layout
+    total = weight = 0.0
+    for row in range(layout.rows):
+        share = math.cos(math.radians(grid.georeference.latitude(row)))
+        total += share * sum(samples.elevations(range(layout.columns), [row]))
+        weight += share * layout.columns
+    assert total / weight == pytest.approx(-551.5, abs=0.05)
+
+
+def complaint(path: Path) -> str:
+    with pytest.raises(FormatError) as caught:
+        read_grid(path)
+    return str(caught.value)
+
+
+def test_a_missing_label_is_named(pair: MegdrPair, tmp_path: Path) -> None:
+    label = pair.write(tmp_path)
+    label.unlink()
+    assert "grid.lbl" in complaint(label)
+    assert "grid.lbl" in complaint(label.with_suffix(".img"))
+
+
+def test_a_missing_data_file_is_named(pair: MegdrPair, tmp_path: Path) -> None:
+    label = pair.write(tmp_path)
+    label.with_suffix(".img").unlink()
+    assert "GRID.IMG" in complaint(label)
+
+
+def test_data_shorter_than_the_label_says(pair: MegdrPair, tmp_path: Path) -> None:
+    label = pair.write(tmp_path)
+    label.with_suffix(".img").write_bytes(pair.data()[:-1])
+    text = complaint(label)
+    assert "47 bytes" in text
+    assert "48 bytes" in text
+
+
+@pytest.mark.parametrize(
+    ("image", "named"),
+    [
+        ({"SAMPLE_TYPE": "IEEE_REAL"}, ["SAMPLE_TYPE", "IEEE_REAL", "MSB_INTEGER"]),
+        ({"SAMPLE_BITS": 8}, ["SAMPLE_BITS", "8", "16"]),
+        ({"SAMPLE_BITS": None}, ["SAMPLE_BITS"]),
+        ({"LINES": "many"}, ["LINES", "many", "a number"]),
+        ({"LINES": 1}, ["LINES", "1", "at least 2"]),
+        ({"LINE_SAMPLES": 1}, ["LINE_SAMPLES", "1", "at least 2"]),
+        ({"LINE_SAMPLES": 7}, ["LINE_SAMPLES", "7", "6"]),
+        ({"LINES": 3.5}, ["LINES", "3.5", "whole"]),
+        ({"LINES": -4}, ["LINES", "-4"]),
+        ({"BANDS": 3}, ["BANDS", "3"]),
+        ({"SCALING_FACTOR": "'N/A'"}, ["SCALING_FACTOR", "N/A", "a number"]),
+        ({"SCALING_FACTOR": 0}, ["IMAGE", "scale"]),
+    ],
+)
+def test_an_image_object_that_cannot_be_used(
+    pair: MegdrPair, tmp_path: Path, image: dict[str, object], named: list[str]
+) -> None:
+    text = complaint(replace(pair, image=image).write(tmp_path))
+    assert "grid.lbl" in text
+    for word in named:
+        assert word in text
+
+
+@pytest.mark.parametrize(
+    ("projection", "named"),
+    [
+        ({"MAP_PROJECTION_TYPE": '"POLAR STEREOGRAPHIC"'}, ["MAP_PROJECTION_TYPE", "POLAR", "CYLINDRICAL"]),
+        ({"MAP_RESOLUTION": 0}, ["MAP_RESOLUTION", "above 0"]),
+        ({"MAP_RESOLUTION": "'N/A'"}, ["MAP_RESOLUTION", "N/A"]),
+        ({"MAP_RESOLUTION": None}, ["MAP_RESOLUTION", "IMAGE_MAP_PROJECTION"]),
+        ({"MAXIMUM_LATITUDE": 100}, ["MAXIMUM_LATITUDE", "100"]),
+        ({"POSITIVE_LONGITUDE_DIRECTION": '"WEST"'}, ["POSITIVE_LONGITUDE_DIRECTION", "WEST", "EAST"]),
+    ],
+)
+def test_a_projection_that_cannot_be_used(
+    pair: MegdrPair, tmp_path: Path, projection: dict[str, object], named: list[str]
+) -> None:
+    text = complaint(replace(pair, projection=projection).write(tmp_path))
+    for word in named:
+        assert word in text
+
+
+def test_no_image_object(pair: MegdrPair, tmp_path: Path) -> None:
+    label = pair.write(tmp_path)
+    label.write_text(label.read_text().replace("= IMAGE\n", "= TABLE\n"))
+    assert "IMAGE" in complaint(label)
+
+
+@pytest.mark.parametrize("pointer", ["5", "(1, 2, 3)", "('GRID.IMG', 0)", None])
+def test_a_pointer_that_leads_nowhere(pair: MegdrPair, tmp_path: Path, pointer: str | None) -> None:
+    assert "^IMAGE" in complaint(replace(pair, header={"^IMAGE": pointer}).write(tmp_path))
+
+
+@pytest.mark.parametrize(
+    "content",
+    [b"", b"hello", bytes(range(256)) * 40, b"<html>not found</html>", b"PDS_VERSION_ID = PDS3\r\nOBJECT ="],
+)
+def test_not_a_label_at_all(tmp_path: Path, content: bytes) -> None:
+    label = tmp_path / "grid.lbl"
+    label.write_bytes(content)
+    assert "grid.lbl: label" in complaint(label) or "^IMAGE" in complaint(label)
+
+
+def test_another_kind_of_file(tmp_path: Path) -> None:
+    text = complaint(tmp_path / "notes.txt")
+    assert ".txt" in text
+    assert ".lbl or .img" in text
+
+
+def test_a_folder_is_not_a_label(tmp_path: Path) -> None:
+    (tmp_path / "grid.lbl").mkdir()
+    assert "grid.lbl" in complaint(tmp_path / "grid.lbl")
