@@ -26,14 +26,14 @@ def register() -> None:
     for cls in CLASSES:
         bpy.utils.register_class(cls)
     bpy.types.Scene.haptic_terrain = bpy.props.PointerProperty(type=settings.HapticTerrainSettings)
-    bpy.types.TOPBAR_MT_file_import.append(import_operator.draw_menu)
+    bpy.types.TOPBAR_MT_file_import.append(import_operator.draw_menu)  # type: ignore[arg-type]
     timer.register()
 
 
 def unregister() -> None:
     """Remove what ``register`` added."""
     timer.unregister()
-    bpy.types.TOPBAR_MT_file_import.remove(import_operator.draw_menu)
+    bpy.types.TOPBAR_MT_file_import.remove(import_operator.draw_menu)  # type: ignore[arg-type]
     del bpy.types.Scene.haptic_terrain
     for cls in reversed(CLASSES):
         bpy.utils.unregister_class(cls)

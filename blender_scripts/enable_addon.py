@@ -48,7 +48,7 @@ def enable(resources: Path | None = None) -> ModuleType:
     failures: list[Exception] = []
     module = addon_utils.enable(MODULE, default_set=True, handle_error=failures.append)
     if module is None:
-        raise RuntimeError(f"The extension cannot be enabled: {failures}") from (failures or [None])[0]
+        raise RuntimeError(f"The extension cannot be enabled: {failures}")
     return module
 
 

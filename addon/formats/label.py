@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, overload
 
-import pvl  # type: ignore[import-untyped]
+import pvl
 
 from .format_error import FormatError
 

@@ -7,6 +7,7 @@ MGS-M-MOLA-5-MEGDR-L3-V1.0, and the PDS3 Standards Reference for the label itsel
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Literal
 
 from proxygraph import GridError, GridLayout
 
@@ -16,7 +17,10 @@ from .georeference import Georeference
 from .label import Label, read_label
 from .partner_file import file_in_any_case
 
-SAMPLE_TYPES = {
+Sample = Literal["i16", "u16"]
+ByteOrder = Literal["big", "little"]
+
+SAMPLE_TYPES: dict[str, tuple[Sample, ByteOrder]] = {
     "MSB_INTEGER": ("i16", "big"),
     "LSB_INTEGER": ("i16", "little"),
     "MSB_UNSIGNED_INTEGER": ("u16", "big"),
@@ -180,7 +184,7 @@ def _layout(label: Label, georeference: Georeference, offset: int) -> GridLayout
         raise label.wrong("IMAGE", error, "a grid that can be touched", "Mend the label.") from error
 
 
-def _sample(label: Label) -> tuple[str, str]:
+def _sample(label: Label) -> tuple[Sample, ByteOrder]:
     """Translate ``SAMPLE_TYPE``, ``SAMPLE_BITS`` and ``BANDS``."""
     sample_type = label.text("IMAGE", "SAMPLE_TYPE").upper()
     if sample_type not in SAMPLE_TYPES:

@@ -16,8 +16,10 @@ def ensure_fcurve(
 ) -> bpy.types.FCurve:
     """Find or make a curve; the action must be assigned to its owner already."""
     if hasattr(action, "fcurve_ensure_for_datablock"):  # slotted actions, from 4.4
-        return action.fcurve_ensure_for_datablock(owner, data_path, index=index)
-    return action.fcurves.find(data_path, index=index) or action.fcurves.new(data_path, index=index)
+        curve: bpy.types.FCurve = action.fcurve_ensure_for_datablock(owner, data_path, index=index)
+    else:
+        curve = action.fcurves.find(data_path, index=index) or action.fcurves.new(data_path, index=index)
+    return curve
 
 
 def write_keys(

@@ -27,9 +27,10 @@ def add_take(context: bpy.types.Context, recording: Recording) -> tuple[bpy.type
     frames = [float(recording.start_frame + number) for number in range(len(felt))]
 
     take = _object(context, recording)
-    take.animation_data_create().action = bpy.data.actions.new(take.name)
+    action = bpy.data.actions.new(take.name)
+    take.animation_data_create().action = action
     for axis in range(3):
-        curve = ensure_fcurve(take.animation_data.action, take, "location", axis)
+        curve = ensure_fcurve(action, take, "location", axis)
         write_keys(curve, frames, [place[axis] for place in places], held)
     return take, len(felt)
 

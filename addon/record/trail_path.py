@@ -142,4 +142,5 @@ def _tube_triangles(points: int) -> npt.NDArray[np.int32]:
     following = (corner + 1) % SIDES
     a, b = rings + corner, rings + following
     c, d = b + SIDES, a + SIDES
-    return np.stack((a, b, c, a, c, d), axis=-1).reshape(-1, 3).astype(np.int32)
+    triangles: npt.NDArray[np.int32] = np.stack((a, b, c, a, c, d), axis=-1).reshape(-1, 3).astype(np.int32)
+    return triangles

@@ -64,7 +64,7 @@ def keep(terrain: bpy.types.Object, kept: KeptTerrain) -> None:
 
 def is_terrain(thing: bpy.types.Object | None) -> bool:
     """Whether an object was made from a grid."""
-    return thing is not None and KEY in thing
+    return thing is not None and thing.get(KEY) is not None
 
 
 def recall(terrain: bpy.types.Object) -> KeptTerrain:

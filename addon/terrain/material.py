@@ -38,7 +38,7 @@ def ramp_material(name: str, ramp: Ramp) -> bpy.types.Material:
     material = bpy.data.materials.new(name)
     if material.node_tree is None:  # older than 5.0
         material.use_nodes = True
-    material.diffuse_color = (*ramp.colours[len(ramp.colours) // 2][1], 1.0)
+    material.diffuse_color = (*ramp.colours[len(ramp.colours) // 2][1], 1.0)  # type: ignore[assignment]
     nodes, links = material.node_tree.nodes, material.node_tree.links
     nodes.clear()
     attribute = nodes.new("ShaderNodeAttribute")
@@ -68,4 +68,4 @@ def _set_colours(ramp: bpy.types.ColorRamp, colours: Sequence[tuple[float, Colou
         ramp.elements.new(1.0)
     for element, (share, colour) in zip(ramp.elements, colours, strict=True):
         element.position = share
-        element.color = (*colour, 1.0)
+        element.color = (*colour, 1.0)  # type: ignore[assignment]

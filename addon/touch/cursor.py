@@ -67,7 +67,7 @@ def show_cursor(
     mesh = shape_mesh(CONTACT if in_contact else FREE)
     if cursor.data is not mesh:
         cursor.data = mesh
-    cursor.matrix_world = Matrix.LocRotScale(place, turn.to_quaternion(), Vector((size, size, size)))
+    cursor.matrix_world = Matrix.LocRotScale(place[:], turn.to_quaternion(), (size, size, size))
 
 
 def shape_mesh(shape: Shape) -> bpy.types.Mesh:
@@ -89,7 +89,7 @@ def _material(shape: Shape) -> bpy.types.Material:
     material = bpy.data.materials.new(shape.name)
     if material.node_tree is None:  # older than 5.0
         material.use_nodes = True
-    material.diffuse_color = shape.colour
+    material.diffuse_color = shape.colour  # type: ignore[assignment]
     surface = next(node for node in material.node_tree.nodes if node.type == "BSDF_PRINCIPLED")
     surface.inputs["Base Color"].default_value = shape.colour
     surface.inputs["Emission Color"].default_value = shape.colour

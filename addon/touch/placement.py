@@ -29,13 +29,15 @@ class Placement:
 
     def to_terrain(self, place: Vector) -> Point:
         """Terrain metres of a place in the scene."""
-        return self.frame.to_terrain(*(self.matrix.inverted_safe() @ place))
+        local = self.matrix.inverted_safe() @ place
+        return self.frame.to_terrain(local.x, local.y, local.z)
 
     @property
     def exaggeration(self) -> float:
         """Of heights as they are seen: a terrain stretched upwards in the scene is exaggerated more."""
-        along, _north, up = self.matrix.to_scale()
-        return self.frame.exaggeration * abs(up / along) if along and up else self.frame.exaggeration
+        scale = self.matrix.to_scale()
+        stretched = abs(scale.z / scale.x) if scale.x and scale.z else 1.0
+        return self.frame.exaggeration * stretched
 
     def longest_side(self, layout: GridLayout) -> float:
         """Of the map, Blender units in the scene."""

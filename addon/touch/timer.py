@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import atexit
+from collections.abc import Callable
+from typing import Any
 
 import bpy
 from bpy.app.handlers import persistent
@@ -51,7 +53,7 @@ def _quit() -> None:
         bpy.app.timers.unregister(_run)
 
 
-@persistent
+@persistent  # type: ignore[untyped-decorator]
 def _before_load(*_arguments: object) -> None:
     """The scene is about to go, and with it what a take would be written to."""
     lost = f" The take of {live.recording.recorder.seconds:.1f} s was not kept." if live.recording else ""
@@ -59,17 +61,17 @@ def _before_load(*_arguments: object) -> None:
     live.recording = None
 
 
-@persistent
+@persistent  # type: ignore[untyped-decorator]
 def _render_begins(*_arguments: object) -> None:
     live.rendering = True
 
 
-@persistent
+@persistent  # type: ignore[untyped-decorator]
 def _render_ends(*_arguments: object) -> None:
     live.rendering = False
 
 
-def _handlers() -> list[tuple[list, object]]:
+def _handlers() -> list[tuple[list[Any], Callable[..., None]]]:
     handlers = bpy.app.handlers
     return [
         (handlers.load_pre, _before_load),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from functools import lru_cache
 from pathlib import Path
-from typing import ClassVar
+from typing import Any
 
 import bpy
 from bpy_extras.io_utils import ImportHelper
@@ -14,6 +14,7 @@ from ..terrain.import_terrain import ImportOptions, SceneScale, import_terrain
 from ..terrain.kept import recall
 from ..terrain.preview import VERTEX_BUDGET, preview_cells
 from ..terrain.view import frame_selected
+from .operator_status import OperatorStatus
 
 
 class HAPTIC_TERRAIN_OT_import_grid(bpy.types.Operator, ImportHelper):
@@ -21,7 +22,7 @@ class HAPTIC_TERRAIN_OT_import_grid(bpy.types.Operator, ImportHelper):
 
     bl_idname = "haptic_terrain.import_grid"
     bl_label = "Import Planetary Terrain"
-    bl_options: ClassVar = {"REGISTER", "UNDO"}
+    bl_options = {"REGISTER", "UNDO"}  # noqa: RUF012
 
     # Kept from one call to the next, it would be taken for a dropped file.
     filepath: bpy.props.StringProperty(
@@ -57,11 +58,15 @@ class HAPTIC_TERRAIN_OT_import_grid(bpy.types.Operator, ImportHelper):
         max=10_000.0,
     )
 
-    def invoke(self, context: bpy.types.Context, event: bpy.types.Event) -> set[str]:
+    def invoke(  # type: ignore[override]  # the two base classes do not agree
+        self, context: bpy.types.Context, event: bpy.types.Event
+    ) -> OperatorStatus:
         """Ask for a file, or only for the options when one was dropped."""
         if self.filepath:
-            return self.invoke_popup(context)
-        return ImportHelper.invoke(self, context, event)
+            self.invoke_popup(context)
+        else:
+            ImportHelper.invoke(self, context, event)
+        return {"RUNNING_MODAL"}
 
     def draw(self, context: bpy.types.Context) -> None:
         """Show the options, and what they mean for the chosen file."""
@@ -74,7 +79,7 @@ class HAPTIC_TERRAIN_OT_import_grid(bpy.types.Operator, ImportHelper):
         for line in preview_lines(Path(self.filepath), self.vertex_budget):
             box.label(text=line)
 
-    def execute(self, context: bpy.types.Context) -> set[str]:
+    def execute(self, context: bpy.types.Context) -> OperatorStatus:
         """Import the file."""
         options = ImportOptions(self.vertex_budget, SceneScale(self.scale), self.exaggeration)
         try:
@@ -83,7 +88,7 @@ class HAPTIC_TERRAIN_OT_import_grid(bpy.types.Operator, ImportHelper):
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
         kept = recall(terrain)
-        frame_selected(context, max(terrain.dimensions))
+        frame_selected(context, max(terrain.dimensions[:]))
         self.report(
             {"INFO"},
             f"{kept.grid.title}: {kept.grid.samples:,} samples to touch, "
@@ -101,9 +106,9 @@ class HAPTIC_TERRAIN_FH_grid(bpy.types.FileHandler):
     bl_file_extensions = ";".join(SUFFIXES)
 
     @classmethod
-    def poll_drop(cls, context: bpy.types.Context) -> bool:
+    def poll_drop(cls, context: bpy.types.Context | None) -> bool:
         """Take drops where terrain would be seen, and from scripts, which have no area."""
-        return context.area is None or context.area.type in {"VIEW_3D", "OUTLINER"}
+        return context is None or context.area is None or context.area.type in {"VIEW_3D", "OUTLINER"}
 
 
 def preview_lines(path: Path, vertex_budget: int) -> list[str]:
@@ -122,7 +127,7 @@ def preview_lines(path: Path, vertex_budget: int) -> list[str]:
     ]
 
 
-def draw_menu(self: bpy.types.Menu, context: bpy.types.Context) -> None:
+def draw_menu(self: Any, context: bpy.types.Context) -> None:
     """Add the entry to File > Import."""
     self.layout.operator(HAPTIC_TERRAIN_OT_import_grid.bl_idname, text="Planetary Terrain (.lbl, .img)")
 

@@ -12,19 +12,17 @@ from .import_operator import HAPTIC_TERRAIN_OT_import_grid
 from .record_operators import HAPTIC_TERRAIN_OT_record_start, HAPTIC_TERRAIN_OT_record_stop
 from .touch_operators import HAPTIC_TERRAIN_OT_touch_start, HAPTIC_TERRAIN_OT_touch_stop
 
-
-class _SidebarPanel:
-    """Where all panels are."""
-
-    bl_space_type = "VIEW_3D"
-    bl_region_type = "UI"
-    bl_category = "Haptic Terrain"
+TAB = "Haptic Terrain"
+"""In the sidebar of the 3D view."""
 
 
-class HAPTIC_TERRAIN_PT_terrain(_SidebarPanel, bpy.types.Panel):
+class HAPTIC_TERRAIN_PT_terrain(bpy.types.Panel):
     """The grid that is touched."""
 
     bl_label = "Terrain"
+    bl_space_type = "VIEW_3D"
+    bl_region_type = "UI"
+    bl_category = TAB
 
     def draw(self, context: bpy.types.Context) -> None:
         """Name the grid, what is shown of it, and how."""
@@ -41,10 +39,13 @@ class HAPTIC_TERRAIN_PT_terrain(_SidebarPanel, bpy.types.Panel):
         column.label(text=f"{kept.minimum:,.0f} to {kept.maximum:,.0f} m, heights x{exaggeration:g}")
 
 
-class HAPTIC_TERRAIN_PT_touch(_SidebarPanel, bpy.types.Panel):
+class HAPTIC_TERRAIN_PT_touch(bpy.types.Panel):
     """Touch, and what is felt."""
 
     bl_label = "Touch"
+    bl_space_type = "VIEW_3D"
+    bl_region_type = "UI"
+    bl_category = TAB
 
     def draw(self, context: bpy.types.Context) -> None:
         """Start, stop, and the newest tick."""
@@ -69,10 +70,13 @@ class HAPTIC_TERRAIN_PT_touch(_SidebarPanel, bpy.types.Panel):
                 row.label(text=value)
 
 
-class HAPTIC_TERRAIN_PT_record(_SidebarPanel, bpy.types.Panel):
+class HAPTIC_TERRAIN_PT_record(bpy.types.Panel):
     """Takes."""
 
     bl_label = "Record"
+    bl_space_type = "VIEW_3D"
+    bl_region_type = "UI"
+    bl_category = TAB
 
     def draw(self, context: bpy.types.Context) -> None:
         """Start and stop a take."""
@@ -114,7 +118,7 @@ def readout_lines(readout: Readout, exaggeration: float) -> list[tuple[str, str]
     ]
 
 
-def _draw_message(layout: bpy.types.UILayout, message: str, width: int = 40) -> None:
+def _draw_message(layout: bpy.types.UILayout | None, message: str, width: int = 40) -> None:
     """Show a long message on several lines: labels do not wrap."""
     box = layout.box().column(align=True)
     box.alert = True

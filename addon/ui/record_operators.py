@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
-
 import bpy
 
 from ..record.recording import RecordingError, start_recording, stop_recording
 from ..touch.live import live
+from .operator_status import OperatorStatus
 
 
 class HAPTIC_TERRAIN_OT_record_start(bpy.types.Operator):
@@ -25,7 +24,7 @@ class HAPTIC_TERRAIN_OT_record_start(bpy.types.Operator):
             cls.poll_message_set("Start touch before recording")
         return live.recording is None and live.touch is not None
 
-    def execute(self, context: bpy.types.Context) -> set[str]:
+    def execute(self, context: bpy.types.Context) -> OperatorStatus:
         """Start a take."""
         try:
             start_recording(context)
@@ -40,7 +39,7 @@ class HAPTIC_TERRAIN_OT_record_stop(bpy.types.Operator):
 
     bl_idname = "haptic_terrain.record_stop"
     bl_label = "Stop Recording"
-    bl_options: ClassVar = {"UNDO"}
+    bl_options = {"UNDO"}  # noqa: RUF012
 
     trail: bpy.props.BoolProperty(
         name="Trail",
@@ -56,7 +55,7 @@ class HAPTIC_TERRAIN_OT_record_stop(bpy.types.Operator):
             cls.poll_message_set("No take is being recorded")
         return live.recording is not None
 
-    def execute(self, context: bpy.types.Context) -> set[str]:
+    def execute(self, context: bpy.types.Context) -> OperatorStatus:
         """Write the take."""
         try:
             take = stop_recording(context, trail=self.trail)

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
-
 import bpy
 
 from ..formats import FormatError
 from ..touch.live import live
 from ..touch.start import TouchError, chosen_terrain, start_touch
 from ..touch.stop import stop_touch
+from .operator_status import OperatorStatus
 
 
 class HAPTIC_TERRAIN_OT_touch_start(bpy.types.Operator):
@@ -17,7 +16,7 @@ class HAPTIC_TERRAIN_OT_touch_start(bpy.types.Operator):
 
     bl_idname = "haptic_terrain.touch_start"
     bl_label = "Start Touch"
-    bl_options: ClassVar = {"UNDO"}
+    bl_options = {"UNDO"}  # noqa: RUF012
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
@@ -32,7 +31,7 @@ class HAPTIC_TERRAIN_OT_touch_start(bpy.types.Operator):
             return False
         return True
 
-    def execute(self, context: bpy.types.Context) -> set[str]:
+    def execute(self, context: bpy.types.Context) -> OperatorStatus:
         """Start."""
         try:
             touch = start_touch(context)
@@ -69,7 +68,7 @@ class HAPTIC_TERRAIN_OT_touch_stop(bpy.types.Operator):
             cls.poll_message_set("Touch is not running")
         return live.touch is not None
 
-    def execute(self, context: bpy.types.Context) -> set[str]:
+    def execute(self, context: bpy.types.Context) -> OperatorStatus:
         """Stop; a take in the making waits for Stop Recording."""
         stop_touch()
         if live.recording is not None:

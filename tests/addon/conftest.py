@@ -11,7 +11,7 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 RESOURCES = ROOT / "build" / "test-resources" / f"{sys.version_info.major}.{sys.version_info.minor}"
 
-for folder in (ROOT / "tests" / "formats", Path(__file__).parent, ROOT / "blender_scripts"):
+for folder in (ROOT, ROOT / "blender_scripts"):
     if str(folder) not in sys.path:
         sys.path.append(str(folder))
 
@@ -22,7 +22,8 @@ use_resources(RESOURCES)
 
 import bpy  # noqa: E402
 from make_sample_grid import make_sample  # noqa: E402
-from scene import module  # noqa: E402
+
+from tests.addon.scene import module  # noqa: E402
 
 REAL = ROOT.parent / "shared" / "data" / "mola" / "megt90n000cb.lbl"
 

@@ -21,17 +21,19 @@ def module(name: str) -> ModuleType:
 def import_grid(path: Path, **options: Any) -> bpy.types.Object:
     """Import as a script would; gives the terrain."""
     assert bpy.ops.haptic_terrain.import_grid(filepath=str(path), **options) == {"FINISHED"}
-    return bpy.context.view_layer.objects.active
+    terrain = bpy.context.view_layer.objects.active
+    assert terrain is not None
+    return terrain
 
 
-def positions(mesh: bpy.types.Mesh) -> npt.NDArray[np.float32]:
+def positions(mesh: Any) -> npt.NDArray[np.float32]:
     """Vertices, n x 3."""
     values = np.empty(len(mesh.vertices) * 3, dtype=np.float32)
     mesh.attributes["position"].data.foreach_get("vector", values)
     return values.reshape(-1, 3)
 
 
-def triangles(mesh: bpy.types.Mesh) -> npt.NDArray[np.int32]:
+def triangles(mesh: Any) -> npt.NDArray[np.int32]:
     """Vertex numbers of each face, n x 3."""
     values = np.empty(len(mesh.loops), dtype=np.int32)
     mesh.attributes[".corner_vert"].data.foreach_get("value", values)

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import pytest
-from megdr_pair import MegdrPair, planet, rough
-from scene import import_grid, module
+
+from tests.addon.scene import import_grid, module
+from tests.formats.megdr_pair import MegdrPair, planet, rough
 
 
 @pytest.mark.parametrize("pair", [MegdrPair(rough(9, 13)), planet()])
@@ -62,6 +64,6 @@ def test_the_preview_of_a_planet_goes_on_to_its_seam(tmp_path: Path) -> None:
     assert surface.height_at(east, 0.0) == pytest.approx((pair.heights[0][359] + pair.heights[0][0]) / 2.0)
 
 
-def _surface(grid: object, budget: int) -> object:
+def _surface(grid: Any, budget: int) -> Any:
     preview = module("terrain.preview")
-    return preview.preview_surface(grid, preview.preview_cells(grid.layout, budget))  # type: ignore[attr-defined]
+    return preview.preview_surface(grid, preview.preview_cells(grid.layout, budget))

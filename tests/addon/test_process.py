@@ -8,7 +8,8 @@ import sys
 from pathlib import Path
 
 import pytest
-from megdr_pair import MegdrPair, rough
+
+from tests.formats.megdr_pair import MegdrPair, rough
 
 ROOT = Path(__file__).resolve().parents[2]
 

@@ -9,10 +9,11 @@ from typing import Any
 import bpy
 import numpy as np
 import pytest
-from hands import circles, sweep
-from megdr_pair import MegdrPair, planet, rough
 from proxygraph import Window
-from scene import curves_of, import_grid, keys_of, module, positions
+
+from tests.addon.hands import circles, sweep
+from tests.addon.scene import curves_of, import_grid, keys_of, module, positions
+from tests.formats.megdr_pair import MegdrPair, planet, rough
 
 
 @pytest.fixture

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import pytest
-from scene import module
+
+from tests.addon.scene import module
 
 
 def test_a_key_for_each_frame_from_the_first_tick_to_the_last_frame_within() -> None:

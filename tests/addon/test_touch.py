@@ -8,11 +8,12 @@ from typing import Any
 
 import bpy
 import pytest
-from hands import sweep
 from mathutils import Vector
-from megdr_pair import MegdrPair, planet, rough
 from proxygraph import Window
-from scene import contents, import_grid, module
+
+from tests.addon.hands import sweep
+from tests.addon.scene import contents, import_grid, module
+from tests.formats.megdr_pair import MegdrPair, planet, rough
 
 Tick = Callable[[], None]
 
@@ -144,7 +145,7 @@ def test_a_coarse_preview_does_not_bury_the_cursor(tmp_path: Path) -> None:
         step(touch, 40)
         east, north, up = touch.session.state().proxy
         preview = touch.surface.height_at(east, north)
-        shown = touch.frame.to_terrain(*cursor().matrix_world.translation)[2]
+        shown = touch.frame.to_terrain(*cursor().matrix_world.translation[:])[2]
         assert shown == pytest.approx(max(up, preview), abs=1.0)
         lifted += preview > up
     assert lifted
@@ -313,7 +314,7 @@ def test_disabling_the_extension_stops_touch(terrain: bpy.types.Object) -> None:
 
 def test_nothing_is_written_to_the_scene_while_it_is_rendered(terrain: bpy.types.Object) -> None:
     touch = start(device=sweep())
-    seen: list[tuple[float, ...]] = []
+    seen: list[bool] = []
 
     def during(*_arguments: object) -> None:
         before = cursor().matrix_world.copy()

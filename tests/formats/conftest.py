@@ -7,6 +7,5 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 
-for folder in (ROOT, Path(__file__).parent):
-    if str(folder) not in sys.path:
-        sys.path.append(str(folder))
+if str(ROOT) not in sys.path:
+    sys.path.append(str(ROOT))

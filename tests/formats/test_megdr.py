@@ -7,9 +7,9 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from megdr_pair import MegdrPair, planet, rough
 
 from addon.formats import FormatError, read_grid
+from tests.formats.megdr_pair import MegdrPair, planet, rough
 
 REAL = Path(__file__).resolve().parents[3] / "shared" / "data" / "mola" / "megt90n000cb.lbl"
 

@@ -6,7 +6,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from megdr_pair import MegdrPair, rough
+from tests.formats.megdr_pair import MegdrPair, rough
 
 ROOT = Path(__file__).resolve().parents[2]
 
