@@ -72,7 +72,7 @@ $(PACKAGES): pyproject.toml .ci/debian-packages
 		*) echo "Missing: Python 3.11 or 3.13; $(FOUND_PYTHON) is '$(PYTHON_VERSION)'." >&2; exit 1 ;; \
 	esac
 	@echo "Making $(VENV)"
-	@"$(FOUND_PYTHON)" -m venv --clear $(VENV)
+	@"$(FOUND_PYTHON)" -m venv $(VENV)
 	@$(BIN)/python -m pip install --quiet --disable-pip-version-check pip==26.3
 	@$(BIN)/python -m pip install --quiet --group $(if $(BLENDER),build,develop)
 	@$(if $(BPY),$(BIN)/python -m pip install --quiet bpy==$(BPY))

@@ -13,7 +13,7 @@ from sample_grid.noise import Random, fractal
 from sample_grid.sphere import Array, Sphere, smoothstep
 
 SHIELDS = (
-    Shield(17.0, 112.0, 17500.0, 420.0, 52.0),
+    Shield(17.0, 112.0, 19500.0, 420.0, 52.0),
     Shield(-8.0, 128.0, 10500.0, 300.0, 60.0),
     Shield(1.5, 135.0, 9000.0, 250.0, 42.0),
     Shield(11.0, 142.0, 10800.0, 280.0, 48.0),
@@ -51,7 +51,7 @@ def elevations(rows: int, columns: int) -> NDArray[np.int16]:
     polar = smoothstep(700.0, 520.0, sphere.distance_km(90.0, 0.0) * (1.0 + 0.15 * fine))
     southern = smoothstep(520.0, 380.0, sphere.distance_km(-88.0, 330.0) * (1.0 + 0.2 * fine))
 
-    rough = 1.0 - 0.80 * np.maximum(lowland, swell)
+    rough = 1.0 - np.maximum(0.80 * lowland, 0.65 * swell)
     old_ground = np.maximum(0.0, 1.0 - 0.90 * lowland) * (1.0 - 0.93 * swell)
     elevation: Array = 1900.0 - 6000.0 * lowland + 1100.0 * broad
     for basin in BASINS:
@@ -62,7 +62,7 @@ def elevations(rows: int, columns: int) -> NDArray[np.int16]:
     add_craters(sphere, elevation, old_ground, count=4200, smallest_km=42.0, largest_km=420.0, seed=31415)
     elevation += 1300.0 * rough * fine
     # Lava buries what lay under the swell, and steepens the ground toward it.
-    elevation += swell * (5200.0 - 0.55 * (elevation + 1500.0))
+    elevation += swell * (3900.0 - 0.45 * (elevation + 1500.0))
     elevation += 2300.0 * polar + 1500.0 * southern
 
     carve(sphere, elevation, canyons(), fine)

@@ -1,0 +1,116 @@
+"""The demo from import to picture, in a scene of its own."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import bpy
+import numpy as np
+from mathutils import Vector
+from proxygraph import Grid, GridRange
+
+from touch_demo.extension import Extension
+from touch_demo.hand_path import Ground, hand_path, windows
+from touch_demo.live_session import LiveTouch, touch_live
+from touch_demo.picture import Frame, open_scene, render_picture, set_up_picture
+from touch_demo.report import report
+from touch_demo.tour import Tour, tour_of
+
+WORKSPACE = (0.16, 0.12, 0.12)
+"""Metres: as wide as the hand's reach with common desktop devices."""
+
+
+def run(
+    extension: Extension, grid_path: Path, folder: Path, preview_vertices: int, say: Callable[[str], None]
+) -> str:
+    """Do all of it; writes touch.png, touch.blend and touch.json into ``folder``, gives the table."""
+    _empty_scene()
+    tour = _tour(extension, grid_path)
+    say(f"Importing {grid_path.name}")
+    bpy.ops.haptic_terrain.import_grid(
+        filepath=str(grid_path.resolve()), vertex_budget=preview_vertices, exaggeration=tour.exaggeration
+    )
+    terrain = bpy.context.view_layer.objects.active
+    if terrain is None:
+        raise RuntimeError("The import left no terrain.")
+    kept = extension.kept.recall(terrain)
+    grid: Grid = kept.grid.open()
+    extent = grid.range()
+    if extent is None:
+        raise RuntimeError("A grid without data was imported.")
+    say(f"{kept.grid.title}: {kept.grid.samples:,} samples, {len(terrain.data.vertices):,} of them shown")
+
+    ground = _ground(kept, grid, extent)
+    chosen = windows(ground, tour, kept.frame.exaggeration, WORKSPACE)
+    path = hand_path(ground, tour, chosen, WORKSPACE[0])
+    say(f"Touching for {path.seconds:.1f} s at 1 kHz, with {len(path.swipes)} fast swipes first")
+    touched = touch_live(extension, terrain, path, chosen, WORKSPACE, say)
+    figures = report(kept, extent, touched)
+
+    _frame_range(touched)
+    set_up_picture(terrain, touched.trail, _picture_frame(kept, ground, tour, touched))
+    say("Saving the scene")
+    bpy.ops.wm.save_as_mainfile(filepath=str((folder / "touch.blend").resolve()), compress=True)
+    say("Rendering the picture")
+    # The take stands where the cursor stands; one of them is enough.
+    touched.take.hide_render = True
+    render_picture(folder / "touch.png")
+    (folder / "touch.json").write_text(json.dumps(figures.figures, indent=2) + "\n", encoding="utf-8")
+    say("Done")
+    return "\n" + figures.table()
+
+
+def _empty_scene() -> None:
+    for thing in list(bpy.data.objects):
+        bpy.data.objects.remove(thing)
+
+
+def _tour(extension: Extension, grid_path: Path) -> Tour:
+    grid = extension.formats.read_grid(grid_path)
+    return tour_of(grid.georeference, synthetic=grid.synthetic)
+
+
+def _ground(kept: Any, grid: Grid, extent: GridRange) -> Ground:
+    georeference = kept.grid.georeference
+    return Ground(
+        grid=grid,
+        west=georeference.westernmost_longitude,
+        north=georeference.maximum_latitude,
+        cells_per_degree=georeference.pixels_per_degree,
+        lowest=extent.minimum,
+        highest=extent.maximum,
+    )
+
+
+def _frame_range(touched: LiveTouch) -> None:
+    """Let playback cover the take, and stand at its end."""
+    scene = open_scene()
+    scene.frame_end = max(scene.frame_start, scene.frame_start + touched.keyframes // 3 - 1)
+    scene.frame_set(scene.frame_end)
+
+
+def _picture_frame(kept: Any, ground: Ground, tour: Tour, touched: LiveTouch) -> Frame:
+    frame = kept.frame
+    east, north = ground.terrain(*tour.centre)
+    up = ground.grid.elevation_at(east, north)
+    across = tour.picture_degrees * ground.cells_per_degree * ground.grid.layout.cell_width
+    title = kept.grid.title.replace("_", " ")
+    return Frame(
+        centre=Vector(frame.to_object(east, north, frame.up if up is None else up)),
+        across=across * frame.units_per_metre,
+        caption=f"{title}   heights \N{MULTIPLICATION SIGN}{frame.exaggeration:g}   touched at 1 kHz",
+        strongest=_strongest(touched),
+    )
+
+
+def _strongest(touched: LiveTouch) -> float:
+    """Newtons at the end of the trail's colours."""
+    if touched.trail is None:
+        return 0.0
+    force = touched.trail.data.attributes["force"].data
+    values = np.empty(len(force), np.float32)
+    force.foreach_get("value", values)
+    return float(values.max())
