@@ -7,6 +7,7 @@ from enum import StrEnum
 from pathlib import Path
 
 import bpy
+import numpy as np
 
 from ..formats import ElevationGrid, FormatError, read_grid
 from .frame import TerrainFrame, fitting_scale, rounded_exaggeration, terrain_frame
@@ -14,6 +15,9 @@ from .kept import KeptTerrain, keep
 from .material import HYPSOMETRIC, Ramp, ramp_material
 from .mesh import ELEVATION, preview_mesh
 from .preview import VERTEX_BUDGET, PreviewSurface, preview_cells, preview_surface
+
+COLOURED = (1.0, 99.0)
+"""Percentiles of the shown heights at the ends of the colour ramp."""
 
 
 class SceneScale(StrEnum):
@@ -69,11 +73,17 @@ def _frame(grid: ElevationGrid, minimum: float, maximum: float, options: ImportO
     )
 
 
+def _ramp(surface: PreviewSurface) -> Ramp:
+    """Spend the colours on the heights that most of the land has; a few peaks would take most of them."""
+    shown = surface.heights[np.isfinite(surface.heights)]
+    low, high = np.percentile(shown, COLOURED) if shown.size else (0.0, 1.0)
+    return Ramp(ELEVATION, float(low), float(high), HYPSOMETRIC)
+
+
 def _add_object(context: bpy.types.Context, kept: KeptTerrain, surface: PreviewSurface) -> bpy.types.Object:
     title = kept.grid.title
     mesh = preview_mesh(title, surface, kept.frame)
-    ramp = Ramp(ELEVATION, kept.minimum, kept.maximum, HYPSOMETRIC)
-    mesh.materials.append(ramp_material(f"{title} heights", ramp))
+    mesh.materials.append(ramp_material(f"{title} heights", _ramp(surface)))
     terrain = bpy.data.objects.new(title, mesh)
     keep(terrain, kept)
     context.collection.objects.link(terrain)

@@ -10,14 +10,14 @@ import bpy
 Colour = tuple[float, float, float]
 
 HYPSOMETRIC: tuple[tuple[float, Colour], ...] = (
-    (0.0, (0.036, 0.014, 0.010)),
-    (0.25, (0.15, 0.040, 0.018)),
-    (0.45, (0.40, 0.125, 0.045)),
-    (0.65, (0.62, 0.27, 0.105)),
-    (0.85, (0.80, 0.52, 0.29)),
-    (1.0, (0.95, 0.86, 0.74)),
+    (0.0, (0.050, 0.024, 0.020)),
+    (0.25, (0.19, 0.055, 0.026)),
+    (0.5, (0.47, 0.155, 0.060)),
+    (0.75, (0.72, 0.34, 0.14)),
+    (0.92, (0.87, 0.60, 0.35)),
+    (1.0, (0.96, 0.86, 0.72)),
 )
-"""(share of the relief, linear colour): basalt, rust, dust and pale heights."""
+"""(share of the range, linear colour): basalt, rust, dust and pale heights."""
 
 
 @dataclass(frozen=True)
