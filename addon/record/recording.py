@@ -49,6 +49,7 @@ def start_recording(context: bpy.types.Context) -> None:
     collect_ticks(touch)
     render = context.scene.render
     live.recording = Recording(
+        session=touch.session,
         recorder=Recorder(),
         grid=touch.grid,
         surface=touch.surface,

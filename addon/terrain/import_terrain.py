@@ -44,7 +44,7 @@ def import_terrain(context: bpy.types.Context, path: Path, options: ImportOption
     Raises:
         FormatError: the file cannot be used.
     """
-    grid = read_grid(path)
+    grid = read_grid(path.absolute())
     samples = grid.open()
     extent = samples.range()
     if extent is None:

@@ -52,6 +52,7 @@ class Touch:
 class Recording:
     """A take in the making; it outlives the session, so that a fault does not lose it."""
 
+    session: Session
     recorder: Recorder
     grid: Grid
     surface: PreviewSurface

@@ -11,7 +11,7 @@ from ..terrain.preview import preview_cells, preview_surface
 from .handle import Handle
 from .live import Touch, live
 from .placement import Placement
-from .target import add_target, target_object, to_workspace
+from .target import above_ground, add_target, target_object, to_workspace
 from .tick import tick
 from .timer import start_timer
 
@@ -55,7 +55,7 @@ def start_touch(
     if device is None:
         empty = target_object(context) or add_target(context, placement, window)
         target = Handle.to(empty)
-        place = placement.to_terrain(empty.matrix_world.translation)
+        place = above_ground(placement.to_terrain(empty.matrix_world.translation), grid, window)
         device = SimulatedDevice(target=to_workspace(place, window, workspace[0]))
     touch = Touch(
         session=Session(grid, device, window),

@@ -42,7 +42,12 @@ def unregister() -> None:
 
 
 def _run() -> float | None:
-    tick()
+    try:
+        tick()
+    except Exception:
+        # Blender drops a timer that raises; the hand must not go on without anyone watching.
+        stop_touch("Touch stopped: the add-on failed; the system console has the details.")
+        raise
     return SECONDS if live.touch is not None else None
 
 
@@ -56,9 +61,9 @@ def _quit() -> None:
 @persistent  # type: ignore[untyped-decorator]
 def _before_load(*_arguments: object) -> None:
     """The scene is about to go, and with it what a take would be written to."""
-    lost = f" The take of {live.recording.recorder.seconds:.1f} s was not kept." if live.recording else ""
+    recording, live.recording = live.recording, None
+    lost = f" The take of {recording.recorder.seconds:.1f} s was not kept." if recording is not None else ""
     stop_touch(f"Touch stopped: another file was loaded.{lost}")
-    live.recording = None
 
 
 @persistent  # type: ignore[untyped-decorator]

@@ -76,7 +76,7 @@ class HAPTIC_TERRAIN_OT_import_grid(bpy.types.Operator, ImportHelper):
         for name in ("vertex_budget", "scale", "exaggeration"):
             layout.prop(self, name)
         box = layout.box()
-        for line in preview_lines(Path(self.filepath), self.vertex_budget):
+        for line in preview_lines(Path(bpy.path.abspath(self.filepath)), self.vertex_budget):
             box.label(text=line)
 
     def execute(self, context: bpy.types.Context) -> OperatorStatus:

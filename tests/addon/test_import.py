@@ -155,6 +155,16 @@ def test_georeference_is_kept_as_doubles_and_survives_a_file(pair: MegdrPair, tm
         assert getattr(after.grid.layout, field) == getattr(before.grid.layout, field)
 
 
+def test_a_grid_named_from_the_working_folder_is_found_again_from_elsewhere(
+    pair: MegdrPair, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    pair.write(tmp_path)
+    monkeypatch.chdir(tmp_path)
+    terrain = import_grid(Path("grid.lbl"))
+    monkeypatch.chdir("/")
+    assert module("terrain.kept").recall(terrain).grid.open().elevation(0, 0) == pair.heights[0][0]
+
+
 def test_the_terrain_is_named_synthetic_where_it_is(sample: Path) -> None:
     terrain = import_grid(sample)
     assert "synthetic" in terrain.name.lower()

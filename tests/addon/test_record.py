@@ -159,6 +159,15 @@ def test_a_take_outlives_touch(terrain: bpy.types.Object) -> None:
     assert take.seconds == pytest.approx(0.999)
 
 
+def test_a_waiting_take_takes_nothing_from_the_next_touch(terrain: bpy.types.Object) -> None:
+    touch = start(device=circles())
+    bpy.ops.haptic_terrain.record_start()
+    run(touch, 1000, timer_calls=3)
+    bpy.ops.haptic_terrain.touch_stop()
+    run(start(device=circles(), terrain=terrain), 1000, timer_calls=3)
+    assert module("record.recording").stop_recording(bpy.context).seconds == pytest.approx(0.999)
+
+
 def test_what_was_felt_before_recording_is_left_out(terrain: bpy.types.Object) -> None:
     touch = start(device=circles())
     run(touch, 500, timer_calls=2)

@@ -199,6 +199,32 @@ def test_an_empty_pushed_under_the_ground_is_felt(terrain: bpy.types.Object) -> 
     assert touch.readout.force > 0.1
 
 
+def test_an_empty_left_under_the_ground_is_felt_from_the_start(terrain: bpy.types.Object) -> None:
+    start()
+    bpy.ops.haptic_terrain.touch_stop()
+    bpy.data.objects["Touch Target"].location.z = -0.3
+    touch = start(terrain=terrain)
+    assert touch.session.state().proxy[2] >= touch.grid.elevation_at(*touch.session.state().proxy[:2])
+    step(touch, 3000)
+    assert touch.readout.in_contact
+
+
+def test_a_tick_that_fails_takes_the_hand_away(
+    terrain: bpy.types.Object, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def fail() -> None:
+        raise ZeroDivisionError
+
+    touch = start()
+    timer = module("touch.timer")
+    monkeypatch.setattr(timer, "tick", fail)
+    with pytest.raises(ZeroDivisionError):
+        timer._run()
+    assert live().touch is None
+    assert not touch.session.running
+    assert "failed" in live().message
+
+
 def test_a_window_width_lies_around_the_empty(terrain: bpy.types.Object) -> None:
     start()
     bpy.ops.haptic_terrain.touch_stop()
