@@ -32,25 +32,20 @@ def main(arguments: list[str]) -> int:
         sys.path.insert(0, str(chosen.site.resolve()))
     say = _teller()
     grid = chosen.grid or _sample(say)
-    if not grid.is_file():
-        print(f"GRID: there is no file {grid}", file=sys.stderr)
-        return 2
 
+    # These need bpy and proxygraph, which ``--site`` may have brought within reach only now.
     from touch_demo.extension import enabled_extension
+    from touch_demo.live_session import TouchEndedError
+    from touch_demo.run import GridRefusedError, run, stage
 
-    extension = enabled_extension()
     try:
-        extension.formats.read_grid(grid)
-    except extension.formats.FormatError as error:
+        staged = stage(enabled_extension(), grid, PREVIEW_VERTICES, say)
+    except GridRefusedError as error:
         print(f"GRID: {error}", file=sys.stderr)
         return 2
-
-    from touch_demo.live_session import TouchEndedError
-    from touch_demo.run import run
-
     try:
         with _all_or_nothing(chosen.output) as folder:
-            print(run(extension, grid, folder, PREVIEW_VERTICES, say))
+            print(run(staged, folder, say))
     except TouchEndedError as error:
         print(f"The demo ended early: {error}", file=sys.stderr)
         return 1

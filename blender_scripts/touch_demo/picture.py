@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -12,27 +11,12 @@ from mathutils import Vector
 
 from touch_demo.overlay import add_caption, add_legend
 
-WIDTH, HEIGHT = 1280, 720
+WIDTH, HEIGHT = 1200, 675
 SAMPLES = 24
 LENS, SENSOR = 50.0, 36.0
 """Millimetres: a normal lens."""
 PITCH = math.radians(50.0)
 """Of the view, below the horizon."""
-
-Colour = tuple[float, float, float]
-
-PLANET: tuple[tuple[float, Colour], ...] = (
-    (0.0, (0.030, 0.012, 0.022)),
-    (0.12, (0.085, 0.030, 0.030)),
-    (0.21, (0.19, 0.055, 0.030)),
-    (0.276, (0.36, 0.11, 0.045)),
-    (0.345, (0.50, 0.19, 0.075)),
-    (0.41, (0.64, 0.31, 0.14)),
-    (0.55, (0.80, 0.52, 0.31)),
-    (0.755, (0.92, 0.78, 0.62)),
-    (1.0, (1.0, 0.97, 0.93)),
-)
-"""(share of the relief, linear colour): most of Mars lies within the lowest two fifths of its relief."""
 
 
 @dataclass(frozen=True)
@@ -51,7 +35,7 @@ class Frame:
 def set_up_picture(terrain: bpy.types.Object, trail: bpy.types.Object | None, frame: Frame) -> None:
     """Put light, camera and captions into the scene, and dress the terrain."""
     scene = open_scene()
-    _dress(terrain, PLANET)
+    terrain.data.shade_smooth()
     camera = _camera(scene, frame)
     _sun(scene)
     _sky(scene)
@@ -66,6 +50,8 @@ def render_picture(path: Path) -> None:
     scene = open_scene()
     scene.render.filepath = str(path.resolve())
     bpy.ops.render.render(write_still=True)
+    # Beside the .blend file, wherever that will be.
+    scene.render.filepath = f"//{path.name}"
 
 
 def open_scene() -> bpy.types.Scene:
@@ -74,21 +60,6 @@ def open_scene() -> bpy.types.Scene:
     if scene is None:
         raise RuntimeError("Blender has no scene open.")
     return scene
-
-
-def _dress(terrain: bpy.types.Object, colours: Sequence[tuple[float, Colour]]) -> None:
-    """Colour the terrain as the planet is: the ramp in its material is there to be changed."""
-    terrain.data.shade_smooth()
-    for node in terrain.data.materials[0].node_tree.nodes:
-        if isinstance(node, bpy.types.ShaderNodeValToRGB) and node.color_ramp is not None:
-            elements = node.color_ramp.elements
-            while len(elements) > 1:
-                elements.remove(elements[-1])
-            while len(elements) < len(colours):
-                elements.new(1.0)
-            for element, (share, colour) in zip(elements, colours, strict=True):
-                element.position = share
-                element.color = (*colour, 1.0)  # type: ignore[assignment]
 
 
 def _camera(scene: bpy.types.Scene, frame: Frame) -> bpy.types.Object:
@@ -110,7 +81,7 @@ def _camera(scene: bpy.types.Scene, frame: Frame) -> bpy.types.Object:
 def _sun(scene: bpy.types.Scene) -> None:
     """From the north-west, as on maps, and low enough for shadows."""
     light = bpy.data.lights.new("Sun", "SUN")
-    light.energy, light.angle = 5.5, math.radians(1.5)
+    light.energy, light.angle = 4.6, math.radians(1.5)
     light.color = (1.0, 0.93, 0.84)
     sun = bpy.data.objects.new("Sun", light)
     height, bearing = math.radians(30.0), math.radians(295.0)

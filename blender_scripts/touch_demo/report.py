@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 import platform
 from collections.abc import Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -21,48 +20,42 @@ PAPER_COLLISION_TESTS = 1.01
 Figures = dict[str, float | int | str]
 
 
-@dataclass(frozen=True)
-class Report:
-    """What the demo did, as text and as figures."""
+def table(f: Figures) -> str:
+    """Rows of what was measured, the paper's figures beside them."""
+    rows: list[tuple[str, str, str]] = [
+        ("grid", str(f["grid"]), ""),
+        ("samples", f"{f['samples']:,}", ""),
+        ("triangles", f"{f['triangles']:,}", ""),
+        ("highest", _where(f, "max"), ""),
+        ("lowest", _where(f, "min"), ""),
+        ("session", f"{f['session_s']:.2f} s", ""),
+        ("ticks", f"{f['ticks']:,}", ""),
+        ("missed ticks", f"{f['missed_ticks']:,}", ""),
+        ("update, median", f"{f['update_us_median']:.1f} us", ""),
+        ("update, p99", f"{f['update_us_p99']:.1f} us", ""),
+        ("keyframes written", f"{f['keyframes']:,}", ""),
+        ("whole session: cells per update", f"{f['cells_per_update_mean']:.2f}", ""),
+        ("  vertices per update", f"{f['updates_vertices_mean']:.2f}", ""),
+        (
+            "  collision tests per update",
+            f"{f['updates_collision_tests_mean']:.3f}",
+            f"{PAPER_COLLISION_TESTS} exploring",
+        ),
+        ("fast swipes: cells per update", f"{f['swipe_cells_per_update_mean']:.2f}", ""),
+        (
+            "  vertices per update",
+            f"{f['swipe_updates_vertices_mean']:.2f}",
+            f"{PAPER_VERTICES} as fast as possible",
+        ),
+        ("  collision tests per update", f"{f['swipe_updates_collision_tests_mean']:.3f}", ""),
+        ("machine", f"{f['machine']}, {f['cores']} cores", ""),
+        ("Blender", str(f["blender"]), ""),
+    ]
 
-    figures: Figures
-
-    def table(self) -> str:
-        """Rows of what was measured, the paper's figures beside them."""
-        f = self.figures
-        rows: list[tuple[str, str, str]] = [
-            ("grid", str(f["grid"]), ""),
-            ("samples", f"{f['samples']:,}", ""),
-            ("triangles", f"{f['triangles']:,}", ""),
-            ("highest", _where(f, "max"), ""),
-            ("lowest", _where(f, "min"), ""),
-            ("session", f"{f['session_s']:.2f} s", ""),
-            ("ticks", f"{f['ticks']:,}", ""),
-            ("missed ticks", f"{f['missed_ticks']:,}", ""),
-            ("update, median", f"{f['update_us_median']:.1f} us", ""),
-            ("update, p99", f"{f['update_us_p99']:.1f} us", ""),
-            ("keyframes written", f"{f['keyframes']:,}", ""),
-            ("whole session: cells per update", f"{f['cells_per_update_mean']:.2f}", ""),
-            ("  vertices per update", f"{f['updates_vertices_mean']:.2f}", ""),
-            (
-                "  collision tests per update",
-                f"{f['updates_collision_tests_mean']:.3f}",
-                f"{PAPER_COLLISION_TESTS} exploring",
-            ),
-            ("fast swipes: cells per update", f"{f['swipe_cells_per_update_mean']:.2f}", ""),
-            (
-                "  vertices per update",
-                f"{f['swipe_updates_vertices_mean']:.2f}",
-                f"{PAPER_VERTICES} as fast as possible",
-            ),
-            ("  collision tests per update", f"{f['swipe_updates_collision_tests_mean']:.3f}", ""),
-            ("machine", f"{f['machine']}, {f['cores']} cores", ""),
-            ("Blender", str(f["blender"]), ""),
-        ]
-        return _aligned([("", "here", "paper"), *rows])
+    return _aligned([("", "here", "paper"), *rows])
 
 
-def report(kept: Any, extent: GridRange, touched: LiveTouch) -> Report:
+def report(kept: Any, extent: GridRange, touched: LiveTouch) -> Figures:
     """Collect the figures.
 
     Args:
@@ -98,7 +91,7 @@ def report(kept: Any, extent: GridRange, touched: LiveTouch) -> Report:
         figures[f"{prefix}updates_vertices_mean"] = round(counts.per_tick(counts.vertices), 4)
         figures[f"{prefix}updates_collision_tests_mean"] = round(counts.per_tick(counts.collision_tests), 4)
     figures["swipe_ticks"] = touched.swipes.ticks
-    return Report(figures)
+    return figures
 
 
 def processor() -> str:
@@ -121,8 +114,9 @@ def _place(which: str, metres: float, cell: tuple[int, int], georeference: Any) 
 
 
 def _where(f: Figures, which: str) -> str:
-    place = f"{f[f'grid_{which}_lat_deg']} N {f[f'grid_{which}_lon_e_deg']} E"
-    return f"{f[f'grid_{which}_m']:,} m at {place}"
+    latitude = float(f[f"grid_{which}_lat_deg"])
+    side = "N" if latitude >= 0.0 else "S"
+    return f"{f[f'grid_{which}_m']:,} m at {abs(latitude)} {side} {f[f'grid_{which}_lon_e_deg']} E"
 
 
 def _aligned(rows: Sequence[tuple[str, ...]]) -> str:

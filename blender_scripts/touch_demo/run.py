@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -16,61 +17,84 @@ from touch_demo.extension import Extension
 from touch_demo.hand_path import Ground, hand_path, windows
 from touch_demo.live_session import LiveTouch, touch_live
 from touch_demo.picture import Frame, open_scene, render_picture, set_up_picture
-from touch_demo.report import report
+from touch_demo.report import report, table
 from touch_demo.tour import Tour, tour_of
 
 WORKSPACE = (0.16, 0.12, 0.12)
 """Metres: as wide as the hand's reach with common desktop devices."""
 
 
-def run(
-    extension: Extension, grid_path: Path, folder: Path, preview_vertices: int, say: Callable[[str], None]
-) -> str:
-    """Do all of it; writes touch.png, touch.blend and touch.json into ``folder``, gives the table."""
+class GridRefusedError(ValueError):
+    """The grid cannot be touched; the text says why."""
+
+
+@dataclass(frozen=True)
+class Stage:
+    """A scene with a terrain in it, and what is known of its grid."""
+
+    extension: Extension
+    tour: Tour
+    terrain: bpy.types.Object
+    kept: Any
+    """What the terrain object remembers of its grid (the extension's KeptTerrain)."""
+    extent: GridRange
+    ground: Ground
+
+
+def stage(extension: Extension, grid_path: Path, preview_vertices: int, say: Callable[[str], None]) -> Stage:
+    """Import a grid into an empty scene.
+
+    Raises:
+        GridRefusedError: the extension does not take the file.
+    """
     _empty_scene()
-    tour = _tour(extension, grid_path)
-    say(f"Importing {grid_path.name}")
-    bpy.ops.haptic_terrain.import_grid(
-        filepath=str(grid_path.resolve()), vertex_budget=preview_vertices, exaggeration=tour.exaggeration
-    )
+    try:
+        described = extension.formats.read_grid(grid_path)
+        tour = tour_of(described.georeference, synthetic=described.synthetic)
+        say(f"Importing {grid_path.name}")
+        bpy.ops.haptic_terrain.import_grid(
+            filepath=str(grid_path.resolve()), vertex_budget=preview_vertices, exaggeration=tour.exaggeration
+        )
+    except extension.formats.FormatError as error:
+        raise GridRefusedError(str(error)) from error
+    except RuntimeError as error:  # what Blender makes of an operator's report
+        raise GridRefusedError(str(error).removeprefix("Error: ").strip()) from error
     terrain = bpy.context.view_layer.objects.active
-    if terrain is None:
-        raise RuntimeError("The import left no terrain.")
     kept = extension.kept.recall(terrain)
     grid: Grid = kept.grid.open()
     extent = grid.range()
-    if extent is None:
-        raise RuntimeError("A grid without data was imported.")
+    if terrain is None or extent is None:
+        raise GridRefusedError("the import left no terrain")
     say(f"{kept.grid.title}: {kept.grid.samples:,} samples, {len(terrain.data.vertices):,} of them shown")
+    return Stage(extension, tour, terrain, kept, extent, _ground(kept, grid, extent))
 
-    ground = _ground(kept, grid, extent)
-    chosen = windows(ground, tour, kept.frame.exaggeration, WORKSPACE)
+
+def run(staged: Stage, folder: Path, say: Callable[[str], None]) -> str:
+    """Touch, record and render; writes touch.png, touch.blend and touch.json, gives the table."""
+    ground, tour = staged.ground, staged.tour
+    chosen = windows(ground, tour, staged.kept.frame.exaggeration, WORKSPACE)
     path = hand_path(ground, tour, chosen, WORKSPACE[0])
     say(f"Touching for {path.seconds:.1f} s at 1 kHz, with {len(path.swipes)} fast swipes first")
-    touched = touch_live(extension, terrain, path, chosen, WORKSPACE, say)
-    figures = report(kept, extent, touched)
+    touched = touch_live(staged.extension, staged.terrain, path, chosen, WORKSPACE, say)
+    figures = report(staged.kept, staged.extent, touched)
 
     _frame_range(touched)
-    set_up_picture(terrain, touched.trail, _picture_frame(kept, ground, tour, touched))
+    set_up_picture(staged.terrain, touched.trail, _picture_frame(staged.kept, ground, tour, touched))
+    # The take stands where the cursor stands: one of them is enough in the picture.
+    touched.take.hide_render = True
+    say("Rendering the picture")
+    render_picture(folder / "touch.png")
+    touched.take.hide_render = False
     say("Saving the scene")
     bpy.ops.wm.save_as_mainfile(filepath=str((folder / "touch.blend").resolve()), compress=True)
-    say("Rendering the picture")
-    # The take stands where the cursor stands; one of them is enough.
-    touched.take.hide_render = True
-    render_picture(folder / "touch.png")
-    (folder / "touch.json").write_text(json.dumps(figures.figures, indent=2) + "\n", encoding="utf-8")
+    (folder / "touch.json").write_text(json.dumps(figures, indent=2) + "\n", encoding="utf-8")
     say("Done")
-    return "\n" + figures.table()
+    return "\n" + table(figures)
 
 
 def _empty_scene() -> None:
     for thing in list(bpy.data.objects):
         bpy.data.objects.remove(thing)
-
-
-def _tour(extension: Extension, grid_path: Path) -> Tour:
-    grid = extension.formats.read_grid(grid_path)
-    return tour_of(grid.georeference, synthetic=grid.synthetic)
 
 
 def _ground(kept: Any, grid: Grid, extent: GridRange) -> Ground:
