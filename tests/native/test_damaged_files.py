@@ -1,0 +1,47 @@
+"""What happens to a process whose mapped grid is cut: seen from outside, because it might end."""
+
+from __future__ import annotations
+
+import json
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+PROGRAMS = Path(__file__).parent / "programs"
+
+pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="a mapped file is cut as Linux allows it")
+
+WHEN_FAULTS_ARE_REPORTED = ["never", "before", "after"]
+
+
+def run(program: str, *arguments: str) -> subprocess.CompletedProcess[str]:
+    command = [sys.executable, str(PROGRAMS / program), *arguments]
+    return subprocess.run(command, capture_output=True, text=True, timeout=180, check=False)
+
+
+@pytest.mark.parametrize("reports_faults", WHEN_FAULTS_ARE_REPORTED)
+def test_a_grid_cut_in_mid_contact_ends_touch_and_not_the_process(
+    tmp_path: Path, reports_faults: str
+) -> None:
+    ended = run("cut_grid_while_touching.py", str(tmp_path / "grid.img"), reports_faults)
+    assert ended.returncode == 0, ended.stderr
+    told = json.loads(ended.stdout)
+    assert "file was cut while in use" in told["fault"]
+    assert told["refused"] == told["fault"], "it is not started again"
+    assert told["force"] == [0.0, 0.0, 0.0]
+    assert (told["was_damaged"], told["damaged"]) == (False, True)
+    assert told["reads"] == 0.0
+
+
+@pytest.mark.parametrize("grid_file", ["whole", "cut"])
+@pytest.mark.parametrize("reports_faults", WHEN_FAULTS_ARE_REPORTED)
+def test_a_fault_elsewhere_still_ends_the_process(
+    tmp_path: Path, reports_faults: str, grid_file: str
+) -> None:
+    ended = run("fault_elsewhere.py", str(tmp_path), reports_faults, grid_file)
+    assert ended.returncode == -signal.SIGBUS, ended.stdout
+    assert ended.stdout == "reading\n"
+    assert ("Bus error" in ended.stderr) == (reports_faults != "never")
