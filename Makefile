@@ -159,7 +159,7 @@ bench: $(NATIVE) $(SAMPLE) ## Run every bench: tables, and figures in build/benc
 .PHONY: package
 package: $(PACKAGE)/package.stamp ## Build the extension's zip with its wheels
 
-$(PACKAGE)/package.stamp: $(PACKAGES) $(NATIVE_SOURCES) $(ADDON_SOURCES) .ci/package | cargo
+$(PACKAGE)/package.stamp: $(PACKAGES) $(NATIVE_SOURCES) $(ADDON_SOURCES) .ci/package .ci/complete_manifest.py | cargo
 	@$(BIN)/python -m pip install --quiet --group package
 	@.ci/package "$(BIN)" "$(PACKAGE)"
 	@touch $@
