@@ -63,7 +63,7 @@ class HAPTIC_TERRAIN_OT_import_grid(bpy.types.Operator, ImportHelper):
     ) -> OperatorStatus:
         """Ask for a file, or only for the options when one was dropped."""
         if self.filepath:
-            self.invoke_popup(context)
+            context.window_manager.invoke_props_dialog(self, confirm_text="Import")
         else:
             ImportHelper.invoke(self, context, event)
         return {"RUNNING_MODAL"}

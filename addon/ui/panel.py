@@ -61,7 +61,7 @@ class HAPTIC_TERRAIN_PT_touch(bpy.types.Panel):
             return
         layout.operator(HAPTIC_TERRAIN_OT_touch_stop.bl_idname, icon="PAUSE")
         if live.touch.target is not None and live.touch.target.find() is None:
-            layout.label(text="The Touch Target is gone: stop and start", icon="ERROR")
+            _draw_message(layout, "The Touch Target is gone: stop touch and start it again.")
         if live.touch.readout is not None:
             exaggeration = live.touch.session.window.exaggeration
             for name, value in readout_lines(live.touch.readout, exaggeration):
