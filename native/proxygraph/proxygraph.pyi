@@ -340,9 +340,12 @@ class Statistics:
     def goal_cells(self) -> float:
         """Cells that the goal travelled over the ground, summed over the ticks."""
     def update_us(self, quantile: float) -> float:
-        """Microseconds from the device's read to its write (quantile 0 to 1; bucket error below 7%)."""
+        """Microseconds from the device's read to its write (bucket error below 7%).
+
+        Raises ValueError for a quantile outside 0 to 1.
+        """
     def late_us(self, quantile: float) -> float:
-        """Microseconds from deadline to wake-up, live ticks only."""
+        """Microseconds from deadline to wake-up, live ticks only. Quantiles as above."""
 
 @final
 class Ticks:
@@ -367,6 +370,10 @@ class Session:
         window: where the workspace lies. stiffness: of the spring, N/m.
         max_force: N; the device's own limit holds too. ring_seconds: ticks kept for ``drain``.
         step_budget: see ProxyGraph.
+
+    Raises:
+        ValueError: naming the number that cannot be used; the device is not taken then.
+        SessionError: the device already serves a session.
     """
 
     def __init__(
@@ -393,9 +400,13 @@ class Session:
         """Why touch ended by itself, in words; ``None`` where it did not."""
     @property
     def window(self) -> Window: ...
-    def set_window(self, window: Window) -> None: ...
+    def set_window(self, window: Window) -> None:
+        """Lay the workspace elsewhere from the next tick on; the proxy begins anew at the hand."""
     def set_target(self, x: float, y: float, z: float) -> None:
-        """Where the simulated hand is pulled (workspace metres); other devices ignore it."""
+        """Where the simulated hand is pulled (workspace metres); other devices ignore it.
+
+        Raises ValueError for a number that is not finite.
+        """
     def state(self) -> State: ...
     def statistics(self) -> Statistics: ...
     def drain(self) -> Ticks: ...

@@ -45,3 +45,9 @@ def test_a_fault_elsewhere_still_ends_the_process(
     assert ended.returncode == -signal.SIGBUS, ended.stdout
     assert ended.stdout == "reading\n"
     assert ("Bus error" in ended.stderr) == (reports_faults != "never")
+
+
+@pytest.mark.parametrize("grid_file", ["whole", "cut"])
+def test_a_person_can_still_end_the_process_with_this_signal(tmp_path: Path, grid_file: str) -> None:
+    ended = run("end_by_signal.py", str(tmp_path / "grid.img"), grid_file)
+    assert ended.returncode == -signal.SIGBUS, ended.stdout

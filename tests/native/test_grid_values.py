@@ -108,3 +108,9 @@ def test_the_real_planet_in_its_raw_bytes() -> None:
     assert (found.minimum, found.minimum_cell) == (-8068.0, (248, 491))
     assert found.voids == 0
     assert grid.elevation(907 - 1440, 290) == 21134.0
+
+
+def test_columns_beyond_every_type_are_off_the_map() -> None:
+    grid = ground([[1.0, 2.0], [3.0, 4.0]])
+    assert grid.elevation(2**70, 0) is None
+    assert grid.elevation(0, -(2**200)) is None

@@ -60,6 +60,13 @@ def test_what_is_not_a_number_is_a_type_error(field: str) -> None:
         GridLayout(**{**FIELDS, field: "many"})
 
 
+@pytest.mark.parametrize(("rows", "found"), [(2**200, "above 2^127"), (-(2**200), "below -2^127")])
+def test_numbers_beyond_every_type_are_named_too(rows: int, found: str) -> None:
+    with pytest.raises(GridError, match=r"rows is a number ") as caught:
+        GridLayout(**{**FIELDS, "rows": rows})
+    assert found in str(caught.value)
+
+
 def test_counts_and_bytes() -> None:
     layout = GridLayout(**FIELDS, offset=10, row_stride=20)
     assert (layout.samples, layout.triangles) == (12, 12)

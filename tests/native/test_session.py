@@ -230,3 +230,31 @@ def test_a_setting_that_cannot_be(field: str, value: float) -> None:
 def test_a_device_of_another_kind_is_a_type_error() -> None:
     with pytest.raises(TypeError, match="device"):
         Session(flat(), "falcon", over_the_middle())  # type: ignore[arg-type]
+
+
+def test_a_refused_session_leaves_the_device_to_the_next() -> None:
+    device = SimulatedDevice()
+    for refused in ({"stiffness": -1.0}, {"ring_seconds": 0.0}, {"step_budget": -1}):
+        with pytest.raises(ValueError, match=next(iter(refused))):
+            Session(flat(), device, over_the_middle(), **refused)  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match="workspace metres"):
+        Session(flat(), device, Window(0.0, 0.0, 0.0, width=1e-320))
+    Session(flat(), device, over_the_middle()).step(1)
+
+
+def test_counts_and_quantiles_out_of_range_are_named() -> None:
+    session = touch(flat(), pressing())
+    for count in (-1, 2**70):
+        with pytest.raises(ValueError, match="count"):
+            session.step(count)
+    for quantile in (-0.1, 1.1, math.nan):
+        with pytest.raises(ValueError, match="quantile"):
+            session.statistics().update_us(quantile)
+        with pytest.raises(ValueError, match="quantile"):
+            session.statistics().late_us(quantile)
+
+
+@pytest.mark.parametrize("target", [(math.nan, 0.0, 0.0), (0.0, math.inf, 0.0), (0.0, 0.0, -math.inf)])
+def test_a_target_that_is_nowhere_is_refused(target: tuple[float, float, float]) -> None:
+    with pytest.raises(ValueError, match="target [xyz]"):
+        touch(flat(), SimulatedDevice()).set_target(*target)

@@ -36,7 +36,8 @@ pub struct ScriptedDevice {
 #[pymethods]
 impl ScriptedDevice {
     #[new]
-    #[pyo3(signature = (path, *, workspace=(0.16, 0.12, 0.12)))]
+    #[pyo3(signature = (path, *, workspace=(0.16, 0.12, 0.12)),
+        text_signature = "(path, *, workspace=(0.16, 0.12, 0.12))")]
     fn new(path: Vec<(f64, f64, f64, f64)>, workspace: Point) -> PyResult<Self> {
         let path = path.into_iter().map(PathPoint::from).collect();
         let device = devices::ScriptedDevice::new(path, workspace.into()).map_err(value_error)?;
@@ -59,7 +60,9 @@ pub struct SimulatedDevice {
 impl SimulatedDevice {
     #[new]
     #[pyo3(signature = (*, target=(0.0, 0.0, 0.05), mass=0.1, muscle_stiffness=300.0, damping=8.0,
-        max_force=8.0, workspace=(0.16, 0.12, 0.12)))]
+        max_force=8.0, workspace=(0.16, 0.12, 0.12)),
+        text_signature = "(*, target=(0.0, 0.0, 0.05), mass=0.1, muscle_stiffness=300.0, \
+        damping=8.0, max_force=8.0, workspace=(0.16, 0.12, 0.12))")]
     fn new(
         target: Point,
         mass: f64,
@@ -88,6 +91,14 @@ pub enum AnyDevice<'py> {
 }
 
 impl AnyDevice<'_> {
+    /// Metres.
+    pub fn workspace_width(&self) -> f64 {
+        match self {
+            Self::Scripted(device) => device.waiting.workspace[0],
+            Self::Simulated(device) => device.waiting.workspace[0],
+        }
+    }
+
     /// The device itself, for a session to keep.
     pub fn take(&self) -> PyResult<Box<dyn Device>> {
         match self {

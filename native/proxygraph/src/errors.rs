@@ -22,6 +22,14 @@ pub fn grid_error(error: impl std::fmt::Display) -> PyErr {
     GridError::new_err(error.to_string())
 }
 
+/// What a session says, as the contract's exceptions: numbers that cannot be used are `ValueError`s.
+pub fn session_refusal(error: servo::SessionError) -> PyErr {
+    match error {
+        servo::SessionError::Parameter(parameter) => value_error(parameter),
+        other => session_error(other),
+    }
+}
+
 /// A session error from anything that explains itself.
 pub fn session_error(error: impl std::fmt::Display) -> PyErr {
     SessionError::new_err(error.to_string())

@@ -1,6 +1,7 @@
 //! Grids and their layouts.
 
 use crate::errors::grid_error;
+use crate::numbers::Whole;
 use pyo3::buffer::PyUntypedBuffer;
 use pyo3::prelude::*;
 use pyo3::types::PyBytes;
@@ -28,24 +29,27 @@ const ORDERS: [(&str, ByteOrder); 2] = [("big", ByteOrder::Big), ("little", Byte
 impl GridLayout {
     #[new]
     #[pyo3(signature = (rows, columns, *, cell_width, cell_height, sample="i16", byte_order="big",
-        offset=0, row_stride=None, scale=1.0, value_offset=0.0, void=None, wraps=false))]
+        offset=Whole(0), row_stride=None, scale=1.0, value_offset=0.0, void=None, wraps=false),
+        text_signature = "(rows, columns, *, cell_width, cell_height, sample='i16', \
+        byte_order='big', offset=0, row_stride=None, scale=1.0, value_offset=0.0, void=None, \
+        wraps=False)")]
     #[expect(clippy::too_many_arguments, reason = "keyword arguments of the Python contract")]
     fn new(
-        rows: i128,
-        columns: i128,
+        rows: Whole,
+        columns: Whole,
         cell_width: f64,
         cell_height: f64,
         sample: &str,
         byte_order: &str,
-        offset: i128,
-        row_stride: Option<i128>,
+        offset: Whole,
+        row_stride: Option<Whole>,
         scale: f64,
         value_offset: f64,
         void: Option<f64>,
         wraps: bool,
     ) -> PyResult<Self> {
-        let rows = unsigned("rows", rows)?;
-        let columns = unsigned("columns", columns)?;
+        let rows = rows.unsigned("rows").map_err(grid_error)?;
+        let columns = columns.unsigned("columns").map_err(grid_error)?;
         let sample = named("sample", sample, &SAMPLES)?;
         let order = named("byte_order", byte_order, &ORDERS)?;
         let packed =
@@ -55,9 +59,10 @@ impl GridLayout {
             .map_err(grid_error)?
             .with_void(void)
             .with_wrap(wraps);
-        layout = layout.with_offset(unsigned("offset", offset)?).map_err(grid_error)?;
+        let offset = offset.unsigned("offset").map_err(grid_error)?;
+        layout = layout.with_offset(offset).map_err(grid_error)?;
         if let Some(stride) = row_stride {
-            let stride = unsigned("row_stride", stride)?;
+            let stride = stride.unsigned("row_stride").map_err(grid_error)?;
             layout = layout.with_row_stride(stride).map_err(grid_error)?;
         }
         Ok(Self { layout })
@@ -231,8 +236,8 @@ impl Grid {
         self.grid.damaged()
     }
 
-    fn elevation(&self, column: i64, row: i64) -> Option<f64> {
-        self.grid.elevation(column, row)
+    fn elevation(&self, column: Whole, row: Whole) -> Option<f64> {
+        self.grid.elevation(column.fitting()?, row.fitting()?)
     }
 
     fn elevation_at(&self, east: f64, north: f64) -> Option<f64> {
@@ -283,12 +288,6 @@ pub fn memoryview_of_doubles<'py>(py: Python<'py>, doubles: &[f64]) -> PyResult<
         Ok(())
     })?;
     py.import("builtins")?.getattr("memoryview")?.call1((bytes,))?.call_method1("cast", ("d",))
-}
-
-fn unsigned(field: &str, value: i128) -> PyResult<u64> {
-    let refused =
-        || grid_error(format!("{field} is {value}; expected a whole number from 0 to 2^64 - 1"));
-    u64::try_from(value).map_err(|_| refused())
 }
 
 fn named<T: Copy>(field: &str, name: &str, known: &[(&'static str, T)]) -> PyResult<T> {

@@ -5,6 +5,7 @@ mod devices;
 mod errors;
 mod grid;
 mod model;
+mod numbers;
 mod session;
 mod state;
 mod ticks;

@@ -2,6 +2,7 @@
 
 use crate::errors::value_error;
 use crate::grid::{Grid, grid_point, terrain_point};
+use crate::numbers::Whole;
 use contact::{ContactModel, Feature};
 use pyo3::prelude::*;
 use std::sync::Arc;
@@ -18,8 +19,10 @@ pub struct ProxyGraph {
 #[pymethods]
 impl ProxyGraph {
     #[new]
-    #[pyo3(signature = (grid, *, scale=1.0, exaggeration=1.0, step_budget=4096))]
-    fn new(grid: &Grid, scale: f64, exaggeration: f64, step_budget: u32) -> PyResult<Self> {
+    #[pyo3(signature = (grid, *, scale=1.0, exaggeration=1.0, step_budget=Whole(4096)),
+        text_signature = "(grid, *, scale=1.0, exaggeration=1.0, step_budget=4096)")]
+    fn new(grid: &Grid, scale: f64, exaggeration: f64, step_budget: Whole) -> PyResult<Self> {
+        let step_budget = step_budget.unsigned("step_budget").map_err(value_error)?;
         let grid = grid.shared();
         let metric = Metric {
             column: grid.layout().cell_width() * scale,

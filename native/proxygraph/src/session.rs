@@ -1,13 +1,14 @@
 //! Sessions and the window they look through.
 
 use crate::devices::AnyDevice;
-use crate::errors::{session_error, value_error};
+use crate::errors::{session_refusal, value_error};
 use crate::grid::Grid;
+use crate::numbers::Whole;
 use crate::state::{State, Statistics};
 use crate::ticks::Ticks;
 use pyo3::prelude::*;
 use pyo3::sync::MutexExt;
-use servo::Settings;
+use servo::{Frame, Settings};
 use std::sync::{Mutex, MutexGuard};
 
 /// The workspace frame laid over the terrain.
@@ -86,7 +87,9 @@ impl Session {
 impl Session {
     #[new]
     #[pyo3(signature = (grid, device, window, *, stiffness=500.0, max_force=8.0, ring_seconds=60.0,
-        step_budget=4096))]
+        step_budget=Whole(4096)),
+        text_signature = "(grid, device, window, *, stiffness=500.0, max_force=8.0, \
+        ring_seconds=60.0, step_budget=4096)")]
     fn new(
         grid: &Grid,
         device: AnyDevice<'_>,
@@ -94,25 +97,30 @@ impl Session {
         stiffness: f64,
         max_force: f64,
         ring_seconds: f64,
-        step_budget: u32,
+        step_budget: Whole,
     ) -> PyResult<Self> {
-        let model = Box::new(contact::ProxyGraph::new(step_budget));
+        let step_budget = step_budget.unsigned("step_budget").map_err(value_error)?;
+        let (grid, window) = (grid.shared(), window.window);
         let settings = Settings { stiffness, max_force, ring_seconds };
-        let session =
-            servo::Session::new(grid.shared(), device.take()?, model, window.window, settings);
+        // Everything that can be refused is refused before the device is taken.
+        settings.validate().map_err(value_error)?;
+        Frame::new(window, device.workspace_width(), grid.layout()).map_err(value_error)?;
+        let model = Box::new(contact::ProxyGraph::new(step_budget));
+        let session = servo::Session::new(grid, device.take()?, model, window, settings);
         Ok(Self { session: Mutex::new(session.map_err(value_error)?) })
     }
 
     fn start(&self, py: Python<'_>) -> PyResult<()> {
-        self.detached(py, |session| session.start()).map_err(session_error)
+        self.detached(py, |session| session.start()).map_err(session_refusal)
     }
 
     fn stop(&self, py: Python<'_>) {
         self.detached(py, |session| session.stop());
     }
 
-    fn step(&self, py: Python<'_>, count: u64) -> PyResult<()> {
-        self.detached(py, |session| session.step(count)).map_err(session_error)
+    fn step(&self, py: Python<'_>, count: Whole) -> PyResult<()> {
+        let count = count.unsigned("count").map_err(value_error)?;
+        self.detached(py, |session| session.step(count)).map_err(session_refusal)
     }
 
     #[getter]
@@ -131,11 +139,11 @@ impl Session {
     }
 
     fn set_window(&self, py: Python<'_>, window: &Window) -> PyResult<()> {
-        self.lock(py).set_window(window.window).map_err(session_error)
+        self.lock(py).set_window(window.window).map_err(session_refusal)
     }
 
     fn set_target(&self, py: Python<'_>, x: f64, y: f64, z: f64) -> PyResult<()> {
-        self.lock(py).set_target([x, y, z]).map_err(session_error)
+        self.lock(py).set_target([x, y, z]).map_err(session_refusal)
     }
 
     fn state(&self, py: Python<'_>) -> State {

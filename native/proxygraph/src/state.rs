@@ -1,5 +1,6 @@
 //! What a session shows of itself.
 
+use crate::errors::value_error;
 use crate::model::feature_name;
 use pyo3::prelude::*;
 
@@ -149,11 +150,18 @@ impl Statistics {
         self.statistics.totals.goal_cells
     }
 
-    fn update_us(&self, quantile: f64) -> f64 {
-        self.statistics.update_us(quantile)
+    fn update_us(&self, quantile: f64) -> PyResult<f64> {
+        Ok(self.statistics.update_us(checked(quantile)?))
     }
 
-    fn late_us(&self, quantile: f64) -> f64 {
-        self.statistics.late_us(quantile)
+    fn late_us(&self, quantile: f64) -> PyResult<f64> {
+        Ok(self.statistics.late_us(checked(quantile)?))
     }
+}
+
+fn checked(quantile: f64) -> PyResult<f64> {
+    if (0.0..=1.0).contains(&quantile) {
+        return Ok(quantile);
+    }
+    Err(value_error(format!("quantile is {quantile}; expected a number from 0 to 1")))
 }

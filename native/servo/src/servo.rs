@@ -4,7 +4,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 
 use contact::{Contact, ContactModel, Feature};
-use devices::{Capabilities, Device, Force, ParameterError, Pose, check};
+use devices::{Capabilities, Device, Force, ParameterError, Pose};
 use surface::{Grid, GridPoint};
 
 use crate::force::{limited, spring, stable_stiffness};
@@ -32,7 +32,8 @@ pub struct Servo {
 }
 
 impl Servo {
-    /// Joins them. `stiffness` (N/m) and `max_force` (N) are cut to what the device can show.
+    /// Joins them. `stiffness` (N/m) and `max_force` (N), both checked by
+    /// [`Settings`](crate::Settings), are cut to what the device can show.
     pub fn new(
         device: Box<dyn Device>,
         model: Box<dyn ContactModel>,
@@ -41,10 +42,6 @@ impl Servo {
         stiffness: f64,
         max_force: f64,
     ) -> Result<Servo, ParameterError> {
-        check::finite("stiffness", stiffness)?;
-        check::limit("stiffness", stiffness)?;
-        check::finite("max_force", max_force)?;
-        check::limit("max_force", max_force)?;
         let capabilities = device.capabilities();
         capabilities.validate()?;
         let origin = frame.terrain(&frame.goal([0.0; 3]));

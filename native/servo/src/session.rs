@@ -4,7 +4,7 @@ use std::io;
 use std::sync::{Arc, OnceLock};
 
 use contact::ContactModel;
-use devices::{Device, ParameterError};
+use devices::{Device, ParameterError, check};
 use rtrb::{Consumer, Producer, RingBuffer};
 use surface::Grid;
 use triple_buffer::{Output, triple_buffer};
@@ -35,6 +35,17 @@ impl Default for Settings {
     }
 }
 
+impl Settings {
+    /// Checks them before a device is given away for them.
+    pub fn validate(&self) -> Result<(), ParameterError> {
+        check::finite("stiffness", self.stiffness)?;
+        check::limit("stiffness", self.stiffness)?;
+        check::finite("max_force", self.max_force)?;
+        check::limit("max_force", self.max_force)?;
+        ring_capacity(self.ring_seconds).map(|_| ())
+    }
+}
+
 /// A session was used in a state that does not allow the call.
 #[derive(Debug, thiserror::Error)]
 pub enum SessionError {
@@ -55,9 +66,9 @@ pub enum SessionError {
         "{COMMANDS} commands wait for the servo already: it stalls, or too much is asked of it"
     )]
     CommandsFull,
-    /// A window that cannot be laid over this grid.
+    /// A target that is nowhere, or a window that cannot be laid over this grid.
     #[error(transparent)]
-    Window(#[from] ParameterError),
+    Parameter(#[from] ParameterError),
 }
 
 /// Where the engine is.
@@ -95,6 +106,7 @@ impl Session {
         window: Window,
         settings: Settings,
     ) -> Result<Session, ParameterError> {
+        settings.validate()?;
         let capacity = ring_capacity(settings.ring_seconds)?;
         let capabilities = device.capabilities();
         capabilities.validate()?;
@@ -222,6 +234,9 @@ impl Session {
 
     /// Where a simulated hand shall go (workspace metres), from the next tick on.
     pub fn set_target(&mut self, target: [f64; 3]) -> Result<(), SessionError> {
+        check::finite("target x", target[0])?;
+        check::finite("target y", target[1])?;
+        check::finite("target z", target[2])?;
         self.command(Command::SetTarget(target))
     }
 

@@ -371,6 +371,6 @@ fn bad_windows_are_refused_by_name() {
     assert_eq!(Window::new(0.0, 0.0, 0.0, 1.0, -2.0).unwrap_err().name, "exaggeration");
     let mut session = session(Watched::pressing(&Log::default()), proxy_graph());
     let absurd = Window::new(0.0, 0.0, 0.0, 1e-320, 1.0).unwrap();
-    assert!(matches!(session.set_window(absurd), Err(SessionError::Window(_))));
+    assert!(matches!(session.set_window(absurd), Err(SessionError::Parameter(_))));
     assert_eq!(session.window(), window(), "the old one stays");
 }

@@ -146,13 +146,28 @@ mod unix {
             // A handler in front of this one (Python's faulthandler) reports the fault and raises
             // the signal again, without its address. If a mapping of ours is cut, returning is
             // right: the read repeats, faults again, and comes here with its address.
-            SLOTS.iter().any(Slot::is_cut)
+            is_raised_by_itself(info) && SLOTS.iter().any(Slot::is_cut)
         } else {
             replace_page(address as usize)
         };
         if !ours {
             hand_over(signal, info, context, sent_by_a_process);
         }
+    }
+
+    /// Whether a signal's code is that of raise(). Only Linux tells it apart from kill().
+    #[cfg(target_os = "linux")]
+    const IS_RAISED: fn(libc::c_int) -> bool = |code| code == libc::SI_TKILL;
+    #[cfg(not(target_os = "linux"))]
+    const IS_RAISED: fn(libc::c_int) -> bool = |_| true;
+
+    /// Whether this process raised the signal, rather than somebody who wants to end it.
+    fn is_raised_by_itself(info: *const libc::siginfo_t) -> bool {
+        // SAFETY: the kernel passes a valid siginfo; its sender is set for signals that were sent.
+        let (code, sender) = unsafe { ((*info).si_code, (*info).si_pid()) };
+        // SAFETY: getpid takes nothing and cannot fail.
+        let own = sender == unsafe { libc::getpid() };
+        own && IS_RAISED(code)
     }
 
     /// Puts a page of zeros where the fault was, if that is inside a guarded mapping.
