@@ -58,7 +58,7 @@ def start_touch(
         place = above_ground(placement.to_terrain(empty.matrix_world.translation), grid, window)
         device = SimulatedDevice(target=to_workspace(place, window, workspace[0]))
     touch = Touch(
-        session=Session(grid, device, window),
+        session=_session(grid, device, window),
         grid=grid,
         georeference=kept.grid.georeference,
         frame=kept.frame,
@@ -77,6 +77,13 @@ def start_touch(
     live.message = ""
     tick()
     return touch
+
+
+def _session(grid: Grid, device: Device, window: Window) -> Session:
+    try:
+        return Session(grid, device, window)
+    except (ValueError, SessionError) as error:
+        raise TouchError(f"Touch cannot start: {error}") from error
 
 
 def chosen_terrain(context: bpy.types.Context) -> bpy.types.Object:

@@ -79,6 +79,15 @@ def test_starting_twice_says_so_and_changes_nothing(terrain: bpy.types.Object) -
     assert contents() == before
 
 
+def test_a_device_that_serves_another_session_is_refused(terrain: bpy.types.Object) -> None:
+    device = sweep()
+    start(device=device)
+    bpy.ops.haptic_terrain.touch_stop()
+    with pytest.raises(module("touch.start").TouchError, match="cannot start"):
+        start(device=device)
+    assert live().touch is None
+
+
 def test_touch_can_start_again_after_it_was_stopped(terrain: bpy.types.Object) -> None:
     for _ in range(3):
         assert bpy.ops.haptic_terrain.touch_start() == {"FINISHED"}
