@@ -256,5 +256,5 @@ def test_counts_and_quantiles_out_of_range_are_named() -> None:
 
 @pytest.mark.parametrize("target", [(math.nan, 0.0, 0.0), (0.0, math.inf, 0.0), (0.0, 0.0, -math.inf)])
 def test_a_target_that_is_nowhere_is_refused(target: tuple[float, float, float]) -> None:
-    with pytest.raises(ValueError, match="target [xyz]"):
+    with pytest.raises(ValueError, match=r"target [xyz]"):
         touch(flat(), SimulatedDevice()).set_target(*target)
