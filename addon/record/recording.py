@@ -9,8 +9,8 @@ import bpy
 from ..terrain.kept import recall
 from ..touch.live import Recording, live
 from ..touch.placement import Placement
+from ..touch.recorder import Recorder
 from ..touch.stop import collect_ticks
-from .recorder import Recorder
 from .take import add_take
 from .trail import add_trail
 

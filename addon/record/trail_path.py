@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ..terrain.frame import TerrainFrame
-from .recorder import Recorder
+from ..touch.recorder import Recorder
 
 SIDES = 8
 """Of the tube around a trail."""

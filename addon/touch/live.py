@@ -7,11 +7,11 @@ from dataclasses import dataclass, field
 from proxygraph import Grid, Session
 
 from ..formats import Georeference
-from ..record.recorder import Recorder
 from ..terrain.frame import TerrainFrame
 from ..terrain.preview import PreviewSurface
 from .handle import Handle
 from .placement import Placement
+from .recorder import Recorder
 
 
 @dataclass(frozen=True)

@@ -17,8 +17,9 @@ for name in ("bpy", "mathutils", "bmesh", "bpy_extras", "numpy"):
 from pathlib import Path
 import addon
 from addon.formats import read_grid
-from addon.record import recorder, resample
+from addon.record import resample
 from addon.terrain import frame
+from addon.touch import recorder
 print(read_grid(Path(sys.argv[1])).samples)
 """
 
