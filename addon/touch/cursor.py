@@ -14,7 +14,7 @@ from mathutils import Matrix, Vector
 
 NAME = "Haptic Cursor"
 
-SIZE = 0.02
+SIZE = 0.012
 """Of the terrain's longest side: seen at once, and small enough to point."""
 
 

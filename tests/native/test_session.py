@@ -236,7 +236,7 @@ def test_a_refused_session_leaves_the_device_to_the_next() -> None:
     device = SimulatedDevice()
     for refused in ({"stiffness": -1.0}, {"ring_seconds": 0.0}, {"step_budget": -1}):
         with pytest.raises(ValueError, match=next(iter(refused))):
-            Session(flat(), device, over_the_middle(), **refused)  # type: ignore[arg-type]
+            Session(flat(), device, over_the_middle(), **refused)
     with pytest.raises(ValueError, match="workspace metres"):
         Session(flat(), device, Window(0.0, 0.0, 0.0, width=1e-320))
     Session(flat(), device, over_the_middle()).step(1)
