@@ -48,6 +48,8 @@ TYPED_CODE := $(wildcard .ci/*.py addon blender_scripts tests)
 
 # bpy reads and writes the configuration of the person who runs it, unless told where else.
 export BLENDER_USER_RESOURCES := $(ROOT)/$(BUILD)/blender-user
+# It also makes folders for thumbnails where caches are. Not exported: pip's cache stays where it is.
+IN_BUILD := XDG_CACHE_HOME=$(BLENDER_USER_RESOURCES)/cache
 # Inside another environment pip and maturin would pick that one.
 export VIRTUAL_ENV := $(ROOT)/$(VENV)
 unexport PYTHONPATH PYTHONHOME
@@ -76,7 +78,7 @@ $(PACKAGES): pyproject.toml .ci/debian-packages
 	@$(BIN)/python -m pip install --quiet --disable-pip-version-check pip==26.3
 	@$(BIN)/python -m pip install --quiet --group $(if $(BLENDER),build,develop)
 	@$(if $(BPY),$(BIN)/python -m pip install --quiet bpy==$(BPY))
-	@$(if $(BLENDER),,$(BIN)/python -c 'import bpy' || { \
+	@$(if $(BLENDER),,$(IN_BUILD) $(BIN)/python -c 'import bpy' || { \
 		echo "Missing: system libraries that bpy loads; on Debian: apt-get install $$(tr '\n' ' ' < .ci/debian-packages)" >&2; exit 1; })
 	@touch $@
 
@@ -103,11 +105,11 @@ $(SAMPLE): blender_scripts/make_sample_grid.py $(wildcard blender_scripts/sample
 .PHONY: demo
 ifeq ($(BLENDER),)
 demo: $(NATIVE) $(SAMPLE) ## Touch a grid, live and headless: picture, .blend and figures in build/demo
-	@$(BIN)/python blender_scripts/demo.py --grid "$(or $(GRID),$(SAMPLE))" --output $(BUILD)/demo
+	@$(IN_BUILD) $(BIN)/python blender_scripts/demo.py --grid "$(or $(GRID),$(SAMPLE))" --output $(BUILD)/demo
 else
 demo: $(SITE)/site.stamp
 	@"$(BLENDER)" --version >/dev/null 2>&1 || { echo "Missing: Blender; $(BLENDER) does not run." >&2; exit 1; }
-	@"$(BLENDER)" --background --factory-startup --python-exit-code 1 --python blender_scripts/demo.py -- \
+	@$(IN_BUILD) "$(BLENDER)" --background --factory-startup --python-exit-code 1 --python blender_scripts/demo.py -- \
 		--site $(SITE) $(if $(GRID),--grid "$(GRID)") --output $(BUILD)/demo
 endif
 
@@ -123,7 +125,7 @@ $(SITE)/site.stamp: $(PACKAGES) $(NATIVE_SOURCES) | cargo
 
 .PHONY: test
 test: $(NATIVE) $(SAMPLE) ## Run the Python tests: native module, add-on, build
-	@$(BIN)/python -m pytest $(ARGS)
+	@$(IN_BUILD) $(BIN)/python -m pytest $(ARGS)
 
 .PHONY: test-native
 test-native: | cargo ## Run the Rust tests

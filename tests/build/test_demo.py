@@ -120,3 +120,28 @@ def test_wrong_grid_is_one_line_and_leaves_nothing(name: str, tmp_path: Path) ->
     assert ended.stderr.startswith("GRID: ")
     assert name in ended.stderr
     assert not output.parent.exists()
+
+
+def test_make_demo_writes_nothing_into_the_home_folder(tmp_path: Path) -> None:
+    home = tmp_path / "home"
+    home.mkdir()
+    # The flags of a make that runs these tests must not reach this one.
+    clean = {key: value for key, value in os.environ.items() if not key.startswith(("MAKE", "MFLAGS", "XDG_"))}
+    wrong_grid = tmp_path / "missing.lbl"
+    planned = subprocess.run(
+        ["make", "--dry-run", "demo", f"PYTHON={sys.executable}", f"GRID={wrong_grid}"],
+        cwd=ROOT,
+        env=clean,
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    (recipe,) = [line for line in planned.stdout.splitlines() if "demo.py" in line]
+    ended = subprocess.run(
+        ["bash", "-c", recipe],
+        cwd=ROOT,
+        env=clean | {"HOME": str(home), "BLENDER_USER_RESOURCES": str(tmp_path / "blender")},
+        check=False,
+    )
+    assert ended.returncode == 2, "it went as far as refusing the grid"
+    assert list(home.rglob("*")) == []
