@@ -2,6 +2,7 @@
 #
 #   make PYTHON=path          use this interpreter (3.11 or 3.13) instead of the first that runs
 #   make demo GRID=path       touch this MOLA grid (.lbl or .img) instead of the synthetic sample
+#   make bench GRID=path      measure on this MOLA grid
 #   make demo BLENDER=path    run the demo in this Blender (4.2 to 5.2) instead of the bpy module
 #   make test ARGS='-k ...'   hand arguments to pytest
 #   make test BPY=4.2.23      test with another release of the bpy module (one for this Python)
@@ -58,7 +59,7 @@ unexport PYTHONPATH PYTHONHOME
 help: ## Show what can be made
 	@echo "Haptic Terrain: touch planetary terrain in Blender"
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' Makefile
-	@echo "Options: PYTHON=path, GRID=path and BLENDER=path for demo, ARGS='...' for test, BPY=version."
+	@echo "Options: PYTHON=path, GRID=path for demo and bench, BLENDER=path for demo, ARGS='...' for test, BPY=version."
 
 # ---------------------------------------------------------------- set-up
 
@@ -71,7 +72,8 @@ $(PACKAGES): pyproject.toml .ci/debian-packages
 		3.11|3.13) ;; \
 		3.1[2-9]) test -n "$(BLENDER)" || { \
 			echo "Missing: Python 3.11 or 3.13; $(FOUND_PYTHON) is $(PYTHON_VERSION), and bpy does not exist for it." >&2; exit 1; } ;; \
-		*) echo "Missing: Python 3.11 or 3.13; $(FOUND_PYTHON) is '$(PYTHON_VERSION)'." >&2; exit 1 ;; \
+		"") echo "Missing: Python 3.11 or 3.13; $(FOUND_PYTHON) does not run." >&2; exit 1 ;; \
+		*) echo "Missing: Python 3.11 or 3.13; $(FOUND_PYTHON) is $(PYTHON_VERSION)." >&2; exit 1 ;; \
 	esac
 	@echo "Making $(VENV)"
 	@"$(FOUND_PYTHON)" -m venv $(VENV)
@@ -85,6 +87,10 @@ $(PACKAGES): pyproject.toml .ci/debian-packages
 .PHONY: cargo
 cargo:
 	@cargo --version >/dev/null 2>&1 || { echo "Missing: Rust (cargo); install a stable toolchain." >&2; exit 1; }
+
+.PHONY: blender
+blender:
+	@"$(BLENDER)" --version >/dev/null 2>&1 || { echo "Missing: Blender; $(BLENDER) does not run." >&2; exit 1; }
 
 .PHONY: native
 native: $(NATIVE) ## Build the native module into the environment
@@ -104,11 +110,10 @@ $(SAMPLE): blender_scripts/make_sample_grid.py $(wildcard blender_scripts/sample
 
 .PHONY: demo
 ifeq ($(BLENDER),)
-demo: $(NATIVE) $(SAMPLE) ## Touch a grid, live and headless: picture, .blend and figures in build/demo
+demo: cargo $(NATIVE) $(SAMPLE) ## Touch a grid, live and headless: picture, .blend and figures in build/demo
 	@$(IN_BUILD) $(BIN)/python blender_scripts/demo.py --grid "$(or $(GRID),$(SAMPLE))" --output $(BUILD)/demo
 else
-demo: $(SITE)/site.stamp
-	@"$(BLENDER)" --version >/dev/null 2>&1 || { echo "Missing: Blender; $(BLENDER) does not run." >&2; exit 1; }
+demo: cargo blender $(SITE)/site.stamp
 	@$(IN_BUILD) "$(BLENDER)" --background --factory-startup --python-exit-code 1 --python blender_scripts/demo.py -- \
 		--site $(SITE) $(if $(GRID),--grid "$(GRID)") --output $(BUILD)/demo
 endif
@@ -124,11 +129,14 @@ $(SITE)/site.stamp: $(PACKAGES) $(NATIVE_SOURCES) | cargo
 	@touch $@
 
 .PHONY: test
-test: $(NATIVE) $(SAMPLE) ## Run the Python tests: native module, add-on, build
+test: test-native test-python ## Run every test
+
+.PHONY: test-python
+test-python: cargo $(NATIVE) $(SAMPLE) ## Run the Python tests: native module, add-on, build
 	@$(IN_BUILD) $(BIN)/python -m pytest $(ARGS)
 
 .PHONY: test-native
-test-native: | cargo ## Run the Rust tests
+test-native: cargo ## Run the Rust tests
 	@cargo test --quiet --manifest-path native/Cargo.toml --workspace
 
 .PHONY: lint
@@ -148,18 +156,18 @@ format: $(PACKAGES) | cargo ## Format all code in place
 	@$(BIN)/ruff format --quiet $(PYTHON_CODE)
 
 .PHONY: bench
-bench: $(NATIVE) $(SAMPLE) ## Run every bench: tables, and figures in build/bench/*.json
+bench: cargo $(NATIVE) $(SAMPLE) ## Run every bench: tables, and figures in build/bench/*.json
 	@mkdir -p $(BUILD)/bench
 	@for bench in tests/bench/bench_*.py; do \
 		test -e "$$bench" || { echo "There is no bench in tests/bench." >&2; exit 1; }; \
 		echo; echo "== $$bench"; \
-		$(BIN)/python "$$bench"; \
+		$(BIN)/python "$$bench" $(if $(GRID),--grid "$(GRID)"); \
 	done
 
 # ---------------------------------------------------------------- the extension
 
 .PHONY: package
-package: $(PACKAGE)/package.stamp ## Build the extension's zip with its wheels
+package: cargo $(PACKAGE)/package.stamp ## Build the extension's zip with its wheels
 
 $(PACKAGE)/package.stamp: $(PACKAGES) $(NATIVE_SOURCES) $(ADDON_SOURCES) .ci/package .ci/complete_manifest.py | cargo
 	@$(BIN)/python -m pip install --quiet --group package

@@ -12,6 +12,7 @@ CLASSES: tuple[type, ...] = (
     import_operator.HAPTIC_TERRAIN_OT_import_grid,
     import_operator.HAPTIC_TERRAIN_FH_grid,
     touch_operators.HAPTIC_TERRAIN_OT_touch_start,
+    touch_operators.HAPTIC_TERRAIN_OT_touch_update,
     touch_operators.HAPTIC_TERRAIN_OT_touch_stop,
     record_operators.HAPTIC_TERRAIN_OT_record_start,
     record_operators.HAPTIC_TERRAIN_OT_record_stop,

@@ -57,9 +57,13 @@ def _label_path(path: Path) -> Path:
         raise FormatError(
             wanted,
             "label",
-            found="no such file",
-            expected=f"a PDS3 label in {path.parent.name or 'the same folder'}",
-            way_out="Put the .lbl file beside the .img file; labels inside the data file are not read yet.",
+            found=f"no such file as {wanted.absolute()}",
+            expected="a PDS3 label",
+            way_out=(
+                "Put the .lbl file beside the .img file; labels inside the data file are not read yet."
+                if path.is_file()
+                else "Check the path."
+            ),
         )
     return found
 

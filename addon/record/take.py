@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import bpy
 
-from ..touch.cursor import CONTACT, SIZE, shape_mesh
+from ..touch.cursor import SIZE, TAKE, shape_mesh
 from ..touch.live import Recording
 from .curves import ensure_fcurve, write_keys
 from .resample import keys_before_jumps, ticks_at_frames
@@ -27,6 +27,8 @@ def add_take(context: bpy.types.Context, recording: Recording) -> tuple[bpy.type
     frames = [float(recording.start_frame + number) for number in range(len(felt))]
 
     take = _object(context, recording)
+    # So that the take plays to its end; a longer range that was chosen stays.
+    context.scene.frame_end = max(context.scene.frame_end, recording.start_frame + len(felt) - 1)
     action = bpy.data.actions.new(take.name)
     take.animation_data_create().action = action
     for axis in range(3):
@@ -36,8 +38,8 @@ def add_take(context: bpy.types.Context, recording: Recording) -> tuple[bpy.type
 
 
 def _object(context: bpy.types.Context, recording: Recording) -> bpy.types.Object:
-    """Make a cone like the cursor in contact; its tip is the point that moved."""
-    take = bpy.data.objects.new(NAME, shape_mesh(CONTACT))
+    """Make a cone like the cursor in contact, in a colour of its own; its tip is the point that moved."""
+    take = bpy.data.objects.new(NAME, shape_mesh(TAKE))
     size = SIZE * recording.placement.longest_side(recording.grid.layout)
     take.scale = (size, size, size)
     take.rotation_euler = recording.placement.matrix.to_euler()

@@ -16,7 +16,7 @@ NAME = "Touch Trail"
 FORCE = "force"
 """Vertex attribute, newtons."""
 
-RADIUS = 0.001
+RADIUS = 0.0013
 """Of the tube, as a share of the terrain's longest side."""
 
 COLOURS: tuple[tuple[float, Colour], ...] = (

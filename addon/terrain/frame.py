@@ -61,6 +61,19 @@ def map_size(layout: GridLayout) -> tuple[float, float]:
     return across * layout.cell_width, (layout.rows - 1) * layout.cell_height
 
 
+def nearest_on_map(layout: GridLayout, place: Point) -> Point:
+    """Bring a terrain place that is beside the map to its nearest edge, as the map is seen."""
+    width, height = map_size(layout)
+    east, north, up = place
+    return min(max(east, 0.0), width), max(min(north, 0.0), -height), up
+
+
+def is_on_map(layout: GridLayout, east: float, north: float) -> bool:
+    """Whether a terrain place is over the map; east runs on where the map wraps."""
+    width, height = map_size(layout)
+    return -height <= north <= 0.0 and (layout.wraps or 0.0 <= east <= width)
+
+
 def map_centre(layout: GridLayout) -> tuple[float, float]:
     """Terrain metres east and north of the middle of the map."""
     width, height = map_size(layout)

@@ -14,7 +14,7 @@ from mathutils import Matrix, Vector
 
 NAME = "Haptic Cursor"
 
-SIZE = 0.012
+SIZE = 0.015
 """Of the terrain's longest side: seen at once, and small enough to point."""
 
 
@@ -40,6 +40,7 @@ def _build_cone(mesh: bmesh.types.BMesh) -> None:
 
 
 FREE = Shape("Haptic Cursor Free", (0.85, 0.93, 1.0, 1.0), _build_sphere)
+TAKE = Shape("Haptic Take", (1.0, 0.75, 0.1, 1.0), _build_cone)
 CONTACT = Shape("Haptic Cursor Contact", (0.05, 0.85, 0.35, 1.0), _build_cone)
 
 

@@ -24,10 +24,13 @@ class Readout:
     """Degrees east."""
     latitude: float
     """Degrees north."""
+    on_map: bool
+    """Whether the cursor is over the map; beside it there is no longitude or latitude to speak of."""
     elevation: float | None
-    """Of the ground at the cursor, metres; ``None`` where there is no data."""
+    """Of the ground at the cursor, metres; ``None`` where there is no data, and beside the map."""
     force: float
     """Newtons."""
+    ticks: int
     missed_ticks: int
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import bpy
 from proxygraph import Grid, GridLayout, ScriptedDevice, Session, SessionError, SimulatedDevice, Window
 
-from ..terrain.frame import map_centre, map_size
+from ..terrain.frame import map_centre, map_size, nearest_on_map
 from ..terrain.kept import KeptTerrain, is_terrain, recall
 from ..terrain.preview import preview_cells, preview_surface
 from .handle import Handle
@@ -55,7 +55,8 @@ def start_touch(
     if device is None:
         empty = target_object(context) or add_target(context, placement, window)
         target = Handle.to(empty)
-        place = above_ground(placement.to_terrain(empty.matrix_world.translation), grid, window)
+        place = nearest_on_map(grid.layout, placement.to_terrain(empty.matrix_world.translation))
+        place = above_ground(place, grid, window)
         device = SimulatedDevice(target=to_workspace(place, window, workspace[0]))
     touch = Touch(
         session=_session(grid, device, window),

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import logging
 
+import bpy
+
+from ..terrain.view import redraw
 from .live import Touch, live
 
 log = logging.getLogger(__name__)
@@ -24,6 +27,7 @@ def stop_touch(message: str = "") -> None:
     if message:
         live.message = message
         log.warning(message)
+    redraw(bpy.context)
 
 
 def collect_ticks(touch: Touch) -> None:

@@ -11,6 +11,7 @@ import bpy
 from mathutils import Vector
 from proxygraph import State
 
+from ..terrain.frame import is_on_map, nearest_on_map
 from ..terrain.view import redraw
 from .cursor import SIZE, cursor_object, show_cursor
 from .live import Readout, Touch, live
@@ -28,12 +29,10 @@ def tick() -> None:
     fault = touch.session.fault
     if fault is not None:
         stop_touch(f"Touch stopped: {fault}")
-        redraw(bpy.context)
         return
     terrain = touch.terrain.find()
     if terrain is None:
         stop_touch("Touch stopped: the terrain is gone from the scene.")
-        redraw(bpy.context)
         return
     placement = Placement.of(terrain, touch.frame)
     _keep_exaggeration(touch, placement)
@@ -67,6 +66,7 @@ def _follow_target(touch: Touch, placement: Placement) -> None:
     if empty is None:
         return
     place = placement.to_terrain(empty.matrix_world.translation)
+    place = nearest_on_map(touch.grid.layout, place)
     touch.session.set_target(*to_workspace(place, touch.session.window, touch.workspace_width))
 
 
@@ -82,13 +82,16 @@ def _show(touch: Touch, placement: Placement, state: State) -> None:
 
 def _readout(touch: Touch, state: State) -> Readout:
     east, north, _up = state.proxy
+    statistics = touch.session.statistics()
     longitude, latitude = touch.georeference.longitude_latitude(east, north)
     return Readout(
         mode=state.mode,
         in_contact=state.in_contact,
         longitude=longitude,
         latitude=latitude,
+        on_map=is_on_map(touch.grid.layout, east, north),
         elevation=touch.grid.elevation_at(east, north),
         force=math.hypot(*state.force),
-        missed_ticks=touch.session.statistics().missed_ticks,
+        ticks=statistics.ticks,
+        missed_ticks=statistics.missed_ticks,
     )

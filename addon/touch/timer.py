@@ -61,6 +61,8 @@ def _quit() -> None:
 @persistent  # type: ignore[untyped-decorator]
 def _before_load(*_arguments: object) -> None:
     """The scene is about to go, and with it what a take would be written to."""
+    if live.touch is None:
+        live.message = ""  # it was about the file before
     recording, live.recording = live.recording, None
     lost = f" The take of {recording.recorder.seconds:.1f} s was not kept." if recording is not None else ""
     stop_touch(f"Touch stopped: another file was loaded.{lost}")

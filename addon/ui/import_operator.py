@@ -15,6 +15,10 @@ from ..terrain.kept import recall
 from ..terrain.preview import VERTEX_BUDGET, preview_cells
 from ..terrain.view import frame_selected
 from .operator_status import OperatorStatus
+from .wrapped import wrapped
+
+DIALOG_LETTERS = 48
+"""That a line of the dialog holds."""
 
 
 class HAPTIC_TERRAIN_OT_import_grid(bpy.types.Operator, ImportHelper):
@@ -35,7 +39,7 @@ class HAPTIC_TERRAIN_OT_import_grid(bpy.types.Operator, ImportHelper):
         default=";".join(f"*{suffix}" for suffix in SUFFIXES), options={"HIDDEN"}
     )
     vertex_budget: bpy.props.IntProperty(
-        name="Preview Vertices",
+        name="Vertices",
         description="How many samples to show at the most; touch always has all of them",
         default=VERTEX_BUDGET,
         min=4,
@@ -51,8 +55,8 @@ class HAPTIC_TERRAIN_OT_import_grid(bpy.types.Operator, ImportHelper):
         ],
     )
     exaggeration: bpy.props.FloatProperty(
-        name="Exaggeration",
-        description="Of heights, for eye and hand; 0 chooses a round one that shows the relief",
+        name="Heights x (0 = auto)",
+        description="Exaggeration of heights, for eye and hand; 0 chooses a round one that shows the relief",
         default=0.0,
         min=0.0,
         max=10_000.0,
@@ -118,7 +122,7 @@ def preview_lines(path: Path, vertex_budget: int) -> list[str]:
     try:
         grid = _cached_grid(path, path.stat().st_mtime_ns)
     except (FormatError, OSError) as error:
-        return [str(error)]
+        return wrapped(str(error), DIALOG_LETTERS)
     shown = preview_cells(grid.layout, vertex_budget)
     return [
         grid.title,

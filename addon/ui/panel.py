@@ -11,9 +11,14 @@ from ..touch.start import TouchError, chosen_terrain
 from .import_operator import HAPTIC_TERRAIN_OT_import_grid
 from .record_operators import HAPTIC_TERRAIN_OT_record_start, HAPTIC_TERRAIN_OT_record_stop
 from .touch_operators import HAPTIC_TERRAIN_OT_touch_start, HAPTIC_TERRAIN_OT_touch_stop
+from .wrapped import wrapped
 
 TAB = "Haptic Terrain"
 """In the sidebar of the 3D view."""
+
+
+SIDEBAR_LETTERS = 32
+"""That a line of the sidebar holds at its usual width."""
 
 
 class HAPTIC_TERRAIN_PT_terrain(bpy.types.Panel):
@@ -37,6 +42,7 @@ class HAPTIC_TERRAIN_PT_terrain(bpy.types.Panel):
         column.label(text=f"{kept.grid.layout.columns:,} x {kept.grid.layout.rows:,} samples")
         column.label(text=f"{len(terrain.data.vertices):,} vertices shown")
         column.label(text=f"{kept.minimum:,.0f} to {kept.maximum:,.0f} m, heights x{exaggeration:g}")
+        self.layout.operator(HAPTIC_TERRAIN_OT_import_grid.bl_idname, icon="IMPORT", text="Import Another")
 
 
 class HAPTIC_TERRAIN_PT_touch(bpy.types.Panel):
@@ -56,10 +62,10 @@ class HAPTIC_TERRAIN_PT_touch(bpy.types.Panel):
             _draw_message(layout, live.message)
         if live.touch is None:
             layout.prop(context.scene.haptic_terrain, "device")
-            layout.prop(context.scene.haptic_terrain, "window_width", text="Width (km)")
+            layout.prop(context.scene.haptic_terrain, "window_width", text="Width in km (0 = all)")
             layout.operator(HAPTIC_TERRAIN_OT_touch_start.bl_idname, icon="PLAY")
             return
-        layout.operator(HAPTIC_TERRAIN_OT_touch_stop.bl_idname, icon="PAUSE")
+        layout.operator(HAPTIC_TERRAIN_OT_touch_stop.bl_idname, icon="SNAP_FACE")
         if live.touch.target is not None and live.touch.target.find() is None:
             _draw_message(layout, "The Touch Target is gone: stop touch and start it again.")
         if live.touch.readout is not None:
@@ -103,29 +109,29 @@ def shown_terrain(context: bpy.types.Context) -> bpy.types.Object | None:
 
 def readout_lines(readout: Readout, exaggeration: float) -> list[tuple[str, str]]:
     """Put the newest tick into words."""
-    elevation = (
-        "no data" if readout.elevation is None else f"{readout.elevation:,.0f} m (shown x{exaggeration:g})"
-    )
-    north_or_south = "N" if readout.latitude >= 0.0 else "S"
-    return [
+    lines = [
         ("Mode", readout.mode.title()),
         ("Contact", "Touching" if readout.in_contact else "Free"),
+        ("Force", f"{readout.force:.2f} N"),
+        ("Missed ticks", f"{readout.missed_ticks:,} of {readout.ticks + readout.missed_ticks:,}"),
+    ]
+    lines[2:2] = _place_lines(readout, exaggeration) if readout.on_map else [("Place", "Beside the map")]
+    return lines
+
+
+def _place_lines(readout: Readout, exaggeration: float) -> list[tuple[str, str]]:
+    elevation = "no data" if readout.elevation is None else f"{readout.elevation:,.0f} m (x{exaggeration:g})"
+    north_or_south = "N" if readout.latitude >= 0.0 else "S"
+    return [
         ("Longitude", f"{readout.longitude:.3f}\N{DEGREE SIGN} E"),
         ("Latitude", f"{abs(readout.latitude):.3f}\N{DEGREE SIGN} {north_or_south}"),
         ("Elevation", elevation),
-        ("Force", f"{readout.force:.2f} N"),
-        ("Missed ticks", f"{readout.missed_ticks:,}"),
     ]
 
 
-def _draw_message(layout: bpy.types.UILayout | None, message: str, width: int = 40) -> None:
-    """Show a long message on several lines: labels do not wrap."""
+def _draw_message(layout: bpy.types.UILayout | None, message: str) -> None:
+    """Show a long message on several lines."""
     box = layout.box().column(align=True)
     box.alert = True
-    line = ""
-    for word in message.split():
-        if line and len(line) + len(word) > width:
-            box.label(text=line)
-            line = ""
-        line = f"{line} {word}".strip()
-    box.label(text=line)
+    for line in wrapped(message, SIDEBAR_LETTERS):
+        box.label(text=line)

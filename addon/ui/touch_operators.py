@@ -8,6 +8,7 @@ from ..formats import FormatError
 from ..touch.live import live
 from ..touch.start import TouchError, chosen_terrain, start_touch
 from ..touch.stop import stop_touch
+from ..touch.tick import tick
 from .operator_status import OperatorStatus
 
 
@@ -40,6 +41,12 @@ class HAPTIC_TERRAIN_OT_touch_start(bpy.types.Operator):
             return {"CANCELLED"}
         self._offer_target(context)
         self.report({"INFO"}, f"Touching {touch.terrain.name}: move the Touch Target to move the hand")
+        if bpy.app.background:
+            self.report(
+                {"WARNING"},
+                "Blender's timers never fire in the background: after moving the Touch Target, and to move "
+                "the cursor, call bpy.ops.haptic_terrain.touch_update()",
+            )
         return {"FINISHED"}
 
     def _offer_target(self, context: bpy.types.Context) -> None:
@@ -55,6 +62,25 @@ class HAPTIC_TERRAIN_OT_touch_start(bpy.types.Operator):
         context.view_layer.objects.active = target
 
 
+class HAPTIC_TERRAIN_OT_touch_update(bpy.types.Operator):
+    """Bring hand, cursor and readout up to date: for scripts in the background, where no timer does it"""
+
+    bl_idname = "haptic_terrain.touch_update"
+    bl_label = "Update Touch"
+    bl_options = {"INTERNAL"}  # noqa: RUF012
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        """Only while touch runs."""
+        return _poll_running(cls)
+
+    def execute(self, context: bpy.types.Context) -> OperatorStatus:
+        """Do what the timer does."""
+        context.view_layer.update()
+        tick()
+        return {"FINISHED"}
+
+
 class HAPTIC_TERRAIN_OT_touch_stop(bpy.types.Operator):
     """Take the hand off the terrain"""
 
@@ -64,9 +90,7 @@ class HAPTIC_TERRAIN_OT_touch_stop(bpy.types.Operator):
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
         """Only while touch runs."""
-        if live.touch is None:
-            cls.poll_message_set("Touch is not running")
-        return live.touch is not None
+        return _poll_running(cls)
 
     def execute(self, context: bpy.types.Context) -> OperatorStatus:
         """Stop; a take in the making waits for Stop Recording."""
@@ -74,3 +98,9 @@ class HAPTIC_TERRAIN_OT_touch_stop(bpy.types.Operator):
         if live.recording is not None:
             self.report({"INFO"}, "Touch stopped; Stop Recording writes the take")
         return {"FINISHED"}
+
+
+def _poll_running(cls: type[bpy.types.Operator]) -> bool:
+    if live.touch is None:
+        cls.poll_message_set("Touch is not running")
+    return live.touch is not None

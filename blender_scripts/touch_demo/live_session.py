@@ -126,7 +126,8 @@ def _follow(
 
 def _told(extension: Extension, seconds: float) -> str:
     readout = extension.live.live.touch.readout
-    where = f"{readout.longitude:6.1f} E {readout.latitude:5.1f} N"
+    north_or_south = "N" if readout.latitude >= 0.0 else "S"
+    where = f"{readout.longitude:6.1f} E {abs(readout.latitude):5.1f} {north_or_south}"
     doing = f"touching, {readout.force:.2f} N" if readout.in_contact else "free"
     return f"  {seconds:4.1f} s  {where}  {doing}"
 

@@ -104,6 +104,23 @@ def test_a_take_plays_back(terrain: bpy.types.Object) -> None:
         assert take.location[:] == pytest.approx([axis[number][1] for axis in keys], abs=1e-5)
 
 
+def test_the_scene_lasts_as_long_as_the_take_and_never_less(terrain: bpy.types.Object) -> None:
+    scene = bpy.context.scene
+    scene.frame_end = 10
+    take = record(start(device=circles()), 1000)
+    assert scene.frame_end == keys_of(take)[0][-1][0]
+    module("touch.stop").stop_touch()
+    scene.frame_end = 400
+    record(start(terrain=terrain, device=circles()), 1000)
+    assert scene.frame_end == 400
+
+
+def test_a_take_does_not_look_like_the_cursor(terrain: bpy.types.Object) -> None:
+    take = record(start(device=circles()), 1000)
+    cursor = bpy.data.objects["Haptic Cursor"]
+    assert take.data.materials[0].diffuse_color[:] != cursor.data.materials[0].diffuse_color[:]
+
+
 def test_nothing_sweeps_over_the_map_at_the_seam(tmp_path: Path) -> None:
     terrain = import_grid(planet().write(tmp_path))
     grid = module("terrain.kept").recall(terrain).grid

@@ -9,7 +9,7 @@ from typing import Any
 import bpy
 import pytest
 from mathutils import Vector
-from proxygraph import Window
+from proxygraph import ScriptedDevice, Window
 
 from tests.addon.hands import sweep
 from tests.addon.scene import contents, import_grid, module
@@ -183,8 +183,50 @@ def test_the_readout_tells_where_the_hand_is(terrain: bpy.types.Object) -> None:
     lines = dict(module("ui.panel").readout_lines(readout, 50.0))
     assert lines["Mode"] == "Normal"
     assert lines["Contact"] == "Touching"
-    assert lines["Elevation"].endswith("(shown x50)")
+    assert lines["Elevation"].endswith("m (x50)")
     assert lines["Longitude"].endswith("E")
+    assert lines["Missed ticks"] == "0 of 1,000"
+
+
+def test_a_hand_beside_the_map_has_no_longitude(terrain: bpy.types.Object) -> None:
+    beside = ScriptedDevice([(0.0, 0.0, 0.5, 0.01)])
+    touch = start(device=beside)
+    step(touch, 10)
+    assert not touch.readout.on_map
+    lines = dict(module("ui.panel").readout_lines(touch.readout, 50.0))
+    assert lines["Place"] == "Beside the map"
+    assert not {"Longitude", "Latitude", "Elevation"} & set(lines)
+
+
+@pytest.mark.parametrize(("x", "y"), [(0.0, 50.0), (0.0, -50.0), (50.0, 0.5), (-50.0, 0.5)])
+def test_an_empty_beside_the_map_keeps_the_hand_at_its_edge(
+    terrain: bpy.types.Object, x: float, y: float
+) -> None:
+    touch = start()
+    bpy.data.objects["Touch Target"].location = (x, y, 0.8)
+    bpy.context.view_layer.update()
+    tick()
+    step(touch, 5000)
+    corners = [terrain.matrix_world @ Vector(corner) for corner in terrain.bound_box]
+    east, north = max(corner.x for corner in corners), max(corner.y for corner in corners)
+    place = cursor().matrix_world.translation
+    assert place.x == pytest.approx(min(max(x, -east), east), abs=0.02)
+    assert place.y == pytest.approx(min(max(y, -north), north), abs=0.02)
+
+
+def test_a_script_in_the_background_is_told_how_to_move_the_hand(
+    terrain: bpy.types.Object, capfd: pytest.CaptureFixture[str]
+) -> None:
+    assert not bpy.ops.haptic_terrain.touch_update.poll()
+    bpy.ops.haptic_terrain.touch_start()
+    assert "haptic_terrain.touch_update()" in capfd.readouterr().out
+    session = live().touch.session
+    session.stop()
+    bpy.data.objects["Touch Target"].location = (1.0, 1.5, 1.0)
+    bpy.ops.haptic_terrain.touch_update()
+    session.step(3000)
+    bpy.ops.haptic_terrain.touch_update()
+    assert cursor().matrix_world.translation[:] == pytest.approx((1.0, 1.5, 1.0), abs=1e-2)
 
 
 def test_the_simulated_hand_follows_the_empty(terrain: bpy.types.Object) -> None:

@@ -5,6 +5,7 @@ Prints tables, and writes all figures to build/bench/contact.json.
 
 from __future__ import annotations
 
+import argparse
 import json
 import os
 import platform
@@ -47,8 +48,10 @@ idle machine. Absolute numbers belong to this machine, ratios between lines of o
 
 
 def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--grid", type=Path, help="label of MOLA topography at 4 pixels per degree")
     begin = time.monotonic()
-    grounds = [*planet(), white_noise()]
+    grounds = [*planet(parser.parse_args().grid), white_noise()]
     figures: Figures = {**machine(), "updates": contact_quality.UPDATES}
     print(f"{figures['cpu']}, {figures['cores']} cores, Python {figures['python']}")
     print(PAPER)

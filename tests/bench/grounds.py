@@ -47,12 +47,18 @@ class Ground:
         return Oracle(sample, layout.cell_height / layout.cell_width)
 
 
-def planet() -> list[Ground]:
-    """Mars as measured, and its canyon's walls; without the file, the synthetic sample alone."""
-    if not MOLA.is_file():
+def planet(label: Path | None) -> list[Ground]:
+    """Mars as measured, and its canyon's walls; without a label, the synthetic sample alone.
+
+    Args:
+        label: of the MEGDR topography at 4 pixels per degree.
+    """
+    if label is None and not MOLA.is_file():
         sample = read_megdr(SAMPLE)
         return [whole(sample.title, "sample", sample.open())]
-    grid = read_megdr(MOLA).open()
+    grid = read_megdr(label or MOLA).open()
+    if (grid.layout.rows, grid.layout.columns) != (720, 1440):
+        raise SystemExit(f"{label}: found another grid, expected MEGDR topography at 4 pixels per degree")
     mars = whole("MOLA 4 px/degree", "mola", grid)
     # 280 to 308 E, 5 to 15 S.
     canyon = Field(west=1120.0, east=1232.0, north=380.0, south=420.0)

@@ -176,6 +176,14 @@ def test_a_missing_label_is_named(pair: MegdrPair, tmp_path: Path) -> None:
     assert "grid.lbl" in complaint(label.with_suffix(".img"))
 
 
+@pytest.mark.parametrize("name", ["mars.lbl", "mars.img"])
+def test_a_mistyped_path_is_told_whole(tmp_path: Path, name: str) -> None:
+    wrong = tmp_path / "nowhere" / name
+    with pytest.raises(FormatError, match=r"Check the path\.$") as caught:
+        read_grid(wrong)
+    assert f"no such file as {wrong.with_suffix('.lbl')}" in str(caught.value)
+
+
 def test_a_missing_data_file_is_named(pair: MegdrPair, tmp_path: Path) -> None:
     label = pair.write(tmp_path)
     label.with_suffix(".img").unlink()
