@@ -50,7 +50,7 @@ TYPED_CODE := $(wildcard .ci/*.py addon blender_scripts tests)
 # bpy reads and writes the configuration of the person who runs it, unless told where else.
 export BLENDER_USER_RESOURCES := $(ROOT)/$(BUILD)/blender-user
 # It also makes folders for thumbnails where caches are. Not exported: pip's cache stays where it is.
-IN_BUILD := XDG_CACHE_HOME=$(BLENDER_USER_RESOURCES)/cache
+IN_BUILD := XDG_CACHE_HOME="$(BLENDER_USER_RESOURCES)/cache"
 # Inside another environment pip and maturin would pick that one.
 export VIRTUAL_ENV := $(ROOT)/$(VENV)
 unexport PYTHONPATH PYTHONHOME
@@ -123,7 +123,7 @@ $(SITE)/site.stamp: $(PACKAGES) $(NATIVE_SOURCES) | cargo
 	@echo "Building proxygraph for $(BLENDER)"
 	@rm -rf $(SITE) $(BUILD)/site-wheels
 	@$(BIN)/maturin build --quiet --release --manifest-path native/proxygraph/Cargo.toml --out $(BUILD)/site-wheels \
-		--interpreter $(ROOT)/$(BIN)/python
+		--interpreter "$(ROOT)/$(BIN)/python"
 	@$(BIN)/python -m pip install --quiet --no-deps --target $(SITE) $(BUILD)/site-wheels/*.whl
 	@$(BIN)/python -m pip install --quiet --target $(SITE) --group blender
 	@touch $@
