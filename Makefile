@@ -41,7 +41,7 @@ SITE := $(BUILD)/site
 SAMPLE := $(BUILD)/sample/sample.lbl
 PACKAGE := $(BUILD)/package
 
-NATIVE_SOURCES := $(shell find native -name target -prune -o -type f \
+NATIVE_SOURCES := $(shell find native \( -name target -o -name tests \) -prune -o -type f \
 	\( -name '*.rs' -o -name 'Cargo.*' -o -name '*.toml' -o -name '*.pyi' -o -name py.typed \) -print)
 ADDON_SOURCES := $(shell find addon -name __pycache__ -prune -o -name wheels -prune -o -type f -print 2>/dev/null)
 PYTHON_CODE := $(wildcard .ci addon blender_scripts tests native/proxygraph)
@@ -80,8 +80,9 @@ $(PACKAGES): pyproject.toml .ci/debian-packages
 	@$(BIN)/python -m pip install --quiet --disable-pip-version-check pip==26.3
 	@$(BIN)/python -m pip install --quiet --group $(if $(BLENDER),build,develop)
 	@$(if $(BPY),$(BIN)/python -m pip install --quiet bpy==$(BPY))
-	@$(if $(BLENDER),,$(IN_BUILD) $(BIN)/python -c 'import bpy' || { \
-		echo "Missing: system libraries that bpy loads; on Debian: apt-get install $$(tr '\n' ' ' < .ci/debian-packages)" >&2; exit 1; })
+	@$(if $(BLENDER),,$(IN_BUILD) $(BIN)/python -c 'import bpy' 2>$(BUILD)/no-bpy || { \
+		echo "Missing: system libraries that bpy loads ($$(tail -n 1 $(BUILD)/no-bpy)); on Debian:" \
+			"apt-get install $$(tr '\n' ' ' < .ci/debian-packages)" >&2; exit 1; })
 	@touch $@
 
 .PHONY: cargo

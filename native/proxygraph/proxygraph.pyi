@@ -38,7 +38,8 @@ class GridLayout:
         offset: bytes before the first sample.
         row_stride: bytes from one row to the next; ``None`` means that the rows are packed.
         scale, value_offset: elevation in metres = ``sample * scale + value_offset``.
-        void: the sample value that means "no data"; NaN and infinite samples are void too.
+        void: the sample value that means "no data"; NaN, infinite samples and heights beyond 1e100 m are
+            void too.
         wraps: whether column ``columns`` is column 0 again (a whole planet).
 
     Raises:
@@ -133,6 +134,9 @@ class Grid:
     def from_buffer(buffer: Buffer, layout: GridLayout) -> Grid:
         """Use any C-contiguous Python buffer, which is held (and so locked) until the grid is freed.
 
+        For files, ``open`` is better: it survives a file that is cut while in use, and a buffer that is
+        itself a mapped file (``mmap``) does not.
+
         Raises:
             GridError: the buffer is not contiguous, or is shorter than the layout says.
         """
@@ -140,7 +144,10 @@ class Grid:
     def layout(self) -> GridLayout: ...
     @property
     def damaged(self) -> bool:
-        """Whether the mapped file was cut while in use; the lost samples read as zero bytes."""
+        """Whether the mapped file was cut while in use; the lost samples read as zero bytes.
+
+        A file that was cut and has grown again in between is not noticed.
+        """
     def elevation(self, column: int, row: int) -> float | None:
         """The sample in metres; ``None`` where it is void or off the map."""
     def elevation_at(self, east: float, north: float) -> float | None:
@@ -199,7 +206,7 @@ class ProxyGraph:
         grid: what is touched.
         scale: workspace metres per metre of terrain.
         exaggeration: of heights; it changes which point is nearest, as in the paper.
-        step_budget: vertices plus free-space cells that one update may visit.
+        step_budget: vertices plus free-space cells that one update may visit, at least 1.
     """
 
     def __init__(
@@ -281,7 +288,7 @@ class State:
         """Ticks done since the session was made."""
     @property
     def time(self) -> float:
-        """Seconds since the session was started (stepped: ticks / 1000)."""
+        """Seconds on the session's clock, which stands while the session does: (ticks + missed ticks) / 1000."""
     @property
     def hand(self) -> Vector:
         """Workspace frame, metres."""
@@ -392,7 +399,10 @@ class Session:
     def stop(self) -> None:
         """Send zero force and join the thread; harmless when it does not run."""
     def step(self, count: int) -> None:
-        """Do ticks of 1 ms here and now, deterministically. Raises SessionError while live or after a fault."""
+        """Do ticks of 1 ms here and now, deterministically; Ctrl-C ends it early.
+
+        Raises SessionError while live or after a fault.
+        """
     @property
     def running(self) -> bool: ...
     @property

@@ -126,7 +126,9 @@ def test_make_demo_writes_nothing_into_the_home_folder(tmp_path: Path) -> None:
     home = tmp_path / "home"
     home.mkdir()
     # The flags of a make that runs these tests must not reach this one.
-    clean = {key: value for key, value in os.environ.items() if not key.startswith(("MAKE", "MFLAGS", "XDG_"))}
+    clean = {
+        key: value for key, value in os.environ.items() if not key.startswith(("MAKE", "MFLAGS", "XDG_"))
+    }
     wrong_grid = tmp_path / "missing.lbl"
     planned = subprocess.run(
         ["make", "--dry-run", "demo", f"PYTHON={sys.executable}", f"GRID={wrong_grid}"],

@@ -10,6 +10,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 FIND_PYTHON = ROOT / ".ci" / "find-python"
+BUILD = "build"
 VERSION = f"{sys.version_info.major}.{sys.version_info.minor}"
 
 
@@ -88,3 +89,31 @@ def test_help_is_the_default_and_needs_nothing(tmp_path: Path) -> None:
     assert shown.returncode == 0
     for target in ("demo", "test", "lint", "bench", "package", "clean"):
         assert f"make {target} " in shown.stdout
+
+
+def test_a_path_with_a_space_is_one_path(tmp_path: Path) -> None:
+    checkout = tmp_path / "a checkout"
+    checkout.mkdir()
+    (checkout / "Makefile").symlink_to(ROOT / "Makefile")
+    for name in ("native", "addon", "blender_scripts", "tests", ".ci", "pyproject.toml"):
+        (checkout / name).symlink_to(ROOT / name)
+    planned = _run("make", "--dry-run", "--directory", checkout, "demo", f"PYTHON={sys.executable}")
+    assert planned.returncode == 0, planned.stderr
+    (recipe,) = [line for line in planned.stdout.splitlines() if "demo.py" in line]
+    setting = recipe.split(f"{BUILD}/venv")[0]
+    told = _run("bash", "-c", f"{setting} printenv XDG_CACHE_HOME")
+    assert told.stdout.strip() == f"{checkout}/build/blender-user/cache", told.stderr
+
+
+def test_what_bpy_lacks_is_one_line(tmp_path: Path) -> None:
+    broken = tmp_path / "bpy"
+    broken.mkdir()
+    (broken / "__init__.py").write_text("raise ImportError('libX11.so.6: cannot open shared object file')\n")
+    planned = _run("make", "--dry-run", "--always-make", "venv", f"PYTHON={sys.executable}")
+    (recipe,) = [line for line in planned.stdout.splitlines() if "import bpy" in line]
+    told = _run("bash", "-c", recipe, environment={"PYTHONPATH": str(tmp_path)})
+    assert told.returncode == 1
+    assert told.stderr.count("\n") == 1
+    assert "Missing: system libraries" in told.stderr
+    assert "libX11.so.6" in told.stderr
+    assert "apt-get install" in told.stderr

@@ -163,3 +163,14 @@ def test_cells_need_not_be_square() -> None:
 def test_a_scale_without_size_is_refused(bad: dict[str, float]) -> None:
     with pytest.raises(ValueError, match=next(iter(bad))):
         ProxyGraph(flat(), **bad)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("budget", [1, 2, 5, 4096])
+def test_heights_at_the_end_of_what_a_double_holds_stay_finite(budget: int) -> None:
+    model = ProxyGraph(ground([[0.0] * 3] * 3), step_budget=budget)
+    model.place(0.5, -0.5, 1.7e308)
+    for goal in [(1.6, -0.6, -1.7e308), (1.5, -1.5, -1.0), (0.6, -0.6, 1.7e308), (1e308, -1e308, -1e308)]:
+        for _ in range(5):
+            contact = model.update(*goal)
+            assert all(map(math.isfinite, (*contact.proxy, *contact.normal, contact.distance)))
+            assert contact.vertices + contact.cells <= budget

@@ -234,7 +234,7 @@ def test_a_device_of_another_kind_is_a_type_error() -> None:
 
 def test_a_refused_session_leaves_the_device_to_the_next() -> None:
     device = SimulatedDevice()
-    for refused in ({"stiffness": -1.0}, {"ring_seconds": 0.0}, {"step_budget": -1}):
+    for refused in ({"stiffness": -1.0}, {"ring_seconds": 0.0}, {"step_budget": 0}):
         with pytest.raises(ValueError, match=next(iter(refused))):
             Session(flat(), device, over_the_middle(), **refused)
     with pytest.raises(ValueError, match="workspace metres"):

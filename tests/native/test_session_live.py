@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+import signal
 import sys
 import threading
 import time
@@ -164,3 +166,29 @@ def steps_while_another_thread_runs(session: Session, tries: int) -> bool:
 
 def test_stepping_lets_other_threads_run() -> None:
     assert steps_while_another_thread_runs(touch(hills(), wandering()), 100)
+
+
+def test_stepping_is_ended_by_control_c() -> None:
+    session = touch(flat(), pressing())
+    timer = threading.Timer(0.2, signal.raise_signal, [signal.SIGINT])
+    timer.start()
+    asked = 2**62
+    with pytest.raises(KeyboardInterrupt):
+        session.step(asked)
+    timer.join()
+    assert 0 < session.state().tick < asked
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="this system has no fork")
+@pytest.mark.filterwarnings("ignore:.*multi-threaded, use of fork.*:DeprecationWarning")
+def test_a_forked_child_lets_go_of_a_running_session() -> None:
+    session = touch(flat(), pressing())
+    session.start()
+    child = os.fork()
+    if child == 0:
+        session.stop()
+        os._exit(0 if not session.running else 1)
+    _, status = os.waitpid(child, 0)
+    assert os.waitstatus_to_exitcode(status) == 0
+    assert session.running
+    session.stop()

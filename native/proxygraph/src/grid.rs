@@ -233,6 +233,7 @@ impl Grid {
 
     #[getter]
     fn damaged(&self) -> bool {
+        self.grid.look_at_file();
         self.grid.damaged()
     }
 

@@ -22,7 +22,7 @@ impl ProxyGraph {
     #[pyo3(signature = (grid, *, scale=1.0, exaggeration=1.0, step_budget=Whole(4096)),
         text_signature = "(grid, *, scale=1.0, exaggeration=1.0, step_budget=4096)")]
     fn new(grid: &Grid, scale: f64, exaggeration: f64, step_budget: Whole) -> PyResult<Self> {
-        let step_budget = step_budget.unsigned("step_budget").map_err(value_error)?;
+        let step_budget = step_budget.positive("step_budget").map_err(value_error)?;
         let grid = grid.shared();
         let metric = Metric {
             column: grid.layout().cell_width() * scale,

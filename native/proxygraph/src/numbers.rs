@@ -36,6 +36,16 @@ impl Whole {
     }
 }
 
+impl Whole {
+    /// The number as `u32`, at least 1, or words that name the field.
+    pub fn positive(self, field: &str) -> Result<u32, String> {
+        let number = self.fitting().filter(|number| *number > 0);
+        number.ok_or_else(|| {
+            format!("{field} is {self}; expected a whole number from 1 to {}", u32::LARGEST)
+        })
+    }
+}
+
 impl Display for Whole {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self.0 {

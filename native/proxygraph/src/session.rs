@@ -11,6 +11,9 @@ use pyo3::sync::MutexExt;
 use servo::{Frame, Settings};
 use std::sync::{Mutex, MutexGuard};
 
+/// After so many ticks a person's Ctrl-C is looked for; some milliseconds.
+const TICKS_BETWEEN_SIGNALS: u64 = 10_000;
+
 /// The workspace frame laid over the terrain.
 #[pyclass(frozen, module = "proxygraph")]
 pub struct Window {
@@ -99,7 +102,7 @@ impl Session {
         ring_seconds: f64,
         step_budget: Whole,
     ) -> PyResult<Self> {
-        let step_budget = step_budget.unsigned("step_budget").map_err(value_error)?;
+        let step_budget = step_budget.positive("step_budget").map_err(value_error)?;
         let (grid, window) = (grid.shared(), window.window);
         let settings = Settings { stiffness, max_force, ring_seconds };
         // Everything that can be refused is refused before the device is taken.
@@ -119,8 +122,16 @@ impl Session {
     }
 
     fn step(&self, py: Python<'_>, count: Whole) -> PyResult<()> {
-        let count = count.unsigned("count").map_err(value_error)?;
-        self.detached(py, |session| session.step(count)).map_err(session_refusal)
+        let mut left: u64 = count.unsigned("count").map_err(value_error)?;
+        loop {
+            let ticks = left.min(TICKS_BETWEEN_SIGNALS);
+            self.detached(py, |session| session.step(ticks)).map_err(session_refusal)?;
+            left -= ticks;
+            if left == 0 {
+                return Ok(());
+            }
+            py.check_signals()?;
+        }
     }
 
     #[getter]
@@ -155,7 +166,7 @@ impl Session {
     }
 
     fn drain(&self, py: Python<'_>) -> Ticks {
-        Ticks::new(self.lock(py).drain())
+        Ticks::new(self.detached(py, |session| session.drain()))
     }
 }
 

@@ -15,6 +15,8 @@ const THREAD_NAME: &str = "haptic-servo";
 
 /// An engine running on its thread.
 pub(crate) struct Live {
+    /// The process that has the thread: a fork leaves threads behind.
+    process: u32,
     stop: Arc<AtomicBool>,
     thread: JoinHandle<Box<Engine>>,
 }
@@ -38,7 +40,7 @@ impl Live {
         match spawned {
             Ok(thread) => {
                 hand_over.send(engine).expect("the thread waits for the engine");
-                Ok(Live { stop, thread })
+                Ok(Live { process: std::process::id(), stop, thread })
             }
             Err(error) => Err((error, engine)),
         }
@@ -52,6 +54,11 @@ impl Live {
     /// Ends the loop and takes the engine back. `None` where the thread broke down with it.
     pub(crate) fn stop(self) -> Option<Box<Engine>> {
         self.stop.store(true, Ordering::Release);
+        if self.process != std::process::id() {
+            // There is nothing to join in this process, and the device belongs to the other.
+            std::mem::forget(self.thread);
+            return None;
+        }
         self.thread.join().ok()
     }
 }

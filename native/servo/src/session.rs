@@ -240,8 +240,9 @@ impl Session {
         self.command(Command::SetTarget(target))
     }
 
-    /// The newest tick.
+    /// The newest tick. Also looks whether the grid's file has been cut, which the servo cannot.
     pub fn state(&mut self) -> State {
+        self.grid.look_at_file();
         self.snapshots.read().state
     }
 

@@ -91,8 +91,15 @@ impl Grid {
     }
 
     /// Whether the mapped file was cut short while in use; what is lost reads as bytes of zero.
+    ///
+    /// Known once a read has met the cut, or [`look_at_file`](Self::look_at_file) has seen it.
     pub fn damaged(&self) -> bool {
         self.storage.damaged()
+    }
+
+    /// Asks the system whether the mapped file has been cut. Not for the servo: it is a system call.
+    pub fn look_at_file(&self) {
+        self.storage.look_at_file();
     }
 
     pub(crate) fn storage(&self) -> &Storage {

@@ -75,8 +75,8 @@ mod unix {
     static PAGE: AtomicUsize = AtomicUsize::new(4096);
     /// What handled SIGBUS before; leaked, because a handler may be reading it at any time.
     static PREVIOUS: AtomicPtr<libc::sigaction> = AtomicPtr::new(std::ptr::null_mut());
-    /// The thread that is inside the previous handler because of us, or 0.
-    static CHAINING: AtomicI32 = AtomicI32::new(0);
+    /// The thread whose signal was handed over to the previous handler last, or 0.
+    static HANDED_OVER: AtomicI32 = AtomicI32::new(0);
 
     /// A registered mapping; dropping it ends the registration, and must happen before unmapping.
     #[derive(Debug)]
@@ -98,9 +98,17 @@ mod unix {
             Ok(Self { slot })
         }
 
-        /// Whether a page of the mapping had to be replaced.
+        /// Whether a page of the mapping had to be replaced, or the file was seen to be cut.
         pub(crate) fn damaged(&self) -> bool {
             SLOTS[self.slot].damaged.load(Ordering::Relaxed)
+        }
+
+        /// Asks the system whether the file now ends before the mapping does.
+        pub(crate) fn look_at_file(&self) {
+            let slot = &SLOTS[self.slot];
+            if slot.is_cut() {
+                slot.damaged.store(true, Ordering::Relaxed);
+            }
         }
     }
 
@@ -146,7 +154,7 @@ mod unix {
             // A handler in front of this one (Python's faulthandler) reports the fault and raises
             // the signal again, without its address. If a mapping of ours is cut, returning is
             // right: the read repeats, faults again, and comes here with its address.
-            is_raised_by_itself(info) && SLOTS.iter().any(Slot::is_cut)
+            is_raised_by_itself(info) && !was_handed_over() && SLOTS.iter().any(Slot::is_cut)
         } else {
             replace_page(address as usize)
         };
@@ -193,6 +201,7 @@ mod unix {
             replaced != libc::MAP_FAILED
         };
         slot.damaged.store(replaced, Ordering::Relaxed);
+        HANDED_OVER.store(0, Ordering::Release);
         replaced
     }
 
@@ -203,12 +212,14 @@ mod unix {
         context: *mut libc::c_void,
         sent_by_a_process: bool,
     ) {
-        // SAFETY: getpid-like call without arguments; PREVIOUS is set before the handler is, and
-        // never freed; the transmutes give back the types that sa_flags declares.
+        // A handler that got this thread's signal and raises it again has done what it wanted, and
+        // expects the process to end; handing it over once more would go on for ever.
+        let came_round = sent_by_a_process && was_handed_over();
+        // SAFETY: PREVIOUS is set before the handler is, and never freed; the transmutes give back
+        // the types that sa_flags declares.
         unsafe {
-            let thread = thread_number();
+            HANDED_OVER.store(thread_number(), Ordering::Release);
             let previous = &*PREVIOUS.load(Ordering::Acquire);
-            let came_round = CHAINING.swap(thread, Ordering::AcqRel) == thread;
             let default = previous.sa_sigaction == libc::SIG_DFL;
             if previous.sa_sigaction == libc::SIG_IGN && sent_by_a_process {
                 // Ignored, as it was before us.
@@ -229,8 +240,13 @@ mod unix {
                     std::mem::transmute(previous.sa_sigaction);
                 handler(signal);
             }
-            CHAINING.store(0, Ordering::Release);
         }
+    }
+
+    /// Whether the previous handler was the last to get this thread's signal.
+    fn was_handed_over() -> bool {
+        // SAFETY: takes nothing and cannot fail.
+        HANDED_OVER.load(Ordering::Acquire) == unsafe { thread_number() }
     }
 
     #[cfg(target_os = "linux")]
@@ -275,5 +291,7 @@ mod elsewhere {
         pub(crate) fn damaged(&self) -> bool {
             false
         }
+
+        pub(crate) fn look_at_file(&self) {}
     }
 }

@@ -2,13 +2,13 @@
 
 use crate::grid::Grid;
 use crate::lattice::{Half, Triangle};
-use crate::point::GridPoint;
+use crate::point::{FARTHEST_ELEVATION, GridPoint};
 use crate::sample::Sample;
 use std::marker::PhantomData;
 
 /// Reads the samples of a grid one by one, converting as it reads. A small copyable view.
 ///
-/// "No elevation" (void samples, samples that are not finite, places off the map) is NaN, which
+/// "No elevation" (void samples, samples that are not finite or beyond 1e100 m, places off the map) is NaN, which
 /// makes every comparison false: code that asks "is the ray below this triangle?" need not ask
 /// first whether the triangle exists.
 pub struct Heightfield<'grid, S> {
@@ -65,7 +65,9 @@ impl<'grid, S: Sample> Heightfield<'grid, S> {
         // bytes; a mapped page that vanishes is replaced by the guard.
         let sample = unsafe { S::read(self.first.add(offset)) };
         let elevation = sample * self.scale + self.value_offset;
-        if sample == self.void || !elevation.is_finite() { f64::NAN } else { elevation }
+        // The comparison is false for NaN too.
+        let is_height = elevation.abs() <= FARTHEST_ELEVATION;
+        if is_height && sample != self.void { elevation } else { f64::NAN }
     }
 
     /// Elevations of a triangle's corners, in the order of [`Triangle::corners`], metres.

@@ -4,6 +4,10 @@
 /// overflow, and a double still holds each of them exactly.
 const FARTHEST_CELL: f64 = (1u64 << 40) as f64;
 
+/// Metres; heights are kept within this, so that neither a difference nor the square of one, under
+/// any metric, is more than a double can hold.
+pub(crate) const FARTHEST_ELEVATION: f64 = 1e100;
+
 /// A point over (or under) a grid: integer cell and fraction, so that its precision does not depend
 /// on where on the planet it is. On a grid that wraps, columns run on beyond the last one.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,7 +25,8 @@ pub struct GridPoint {
 }
 
 impl GridPoint {
-    /// The point at fractional `columns` and `rows`. Beyond 2^40 cells it is brought back to that.
+    /// The point at fractional `columns` and `rows`. Beyond 2^40 cells, or 1e100 m of elevation, it
+    /// is brought back to that.
     pub fn new(columns: f64, rows: f64, elevation: f64) -> Self {
         Self { column: 0, row: 0, u: columns, v: rows, elevation }.normalized()
     }
@@ -60,7 +65,12 @@ impl GridPoint {
     fn normalized(self) -> Self {
         let (column, u) = split(self.column, self.u);
         let (row, v) = split(self.row, self.v);
-        Self { column, row, u, v, ..self }
+        let elevation = if self.elevation.is_finite() {
+            self.elevation.clamp(-FARTHEST_ELEVATION, FARTHEST_ELEVATION)
+        } else {
+            self.elevation
+        };
+        Self { column, row, u, v, elevation }
     }
 }
 
@@ -94,6 +104,7 @@ mod tests {
         let far = GridPoint::new(f64::MAX, -f64::MAX, 0.0);
         assert!(far.is_finite());
         assert_eq!((far.column, far.row), (1 << 40, -(1 << 40)));
+        assert_eq!(GridPoint::new(0.0, 0.0, -f64::MAX).elevation, -FARTHEST_ELEVATION);
         assert!(!GridPoint::new(f64::NAN, 0.0, 0.0).is_finite());
         assert!(!GridPoint::new(0.0, f64::INFINITY, 0.0).is_finite());
     }

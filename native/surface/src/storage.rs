@@ -66,6 +66,13 @@ impl Storage {
         }
     }
 
+    /// Notices a mapped file that was cut, also where no read has met the cut yet. A system call.
+    pub(crate) fn look_at_file(&self) {
+        if let Owner::Mapped { guard, .. } = &self.owner {
+            guard.look_at_file();
+        }
+    }
+
     /// Tells the system whether reads will be in order (a scan) or anywhere (touch). A hint only:
     /// where it cannot be given, reads are as right as before.
     pub(crate) fn expect_sequential_reads(&self, sequential: bool) {

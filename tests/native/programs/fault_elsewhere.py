@@ -1,7 +1,7 @@
 """Read a cut file through a mapping of Python's own while a grid is open: this has to end the process.
 
-Arguments: a scratch folder, when to enable faulthandler (never, before or after the grid is opened), and
-whether the grid's file is cut too (whole or cut).
+Arguments: a scratch folder, when to enable faulthandler (never, before or after the grid is opened, or
+between two grids), and whether the grid's file is cut too (whole or cut).
 """
 
 from __future__ import annotations
@@ -23,8 +23,13 @@ def main(scratch: Path, reports_faults: str, grid_file: str) -> None:
     mapped = scratch / "mapped.img"
     mapped.write_bytes(bytes(1 << 16))
     grid = Grid.open(mapped, GridLayout(2, 2, cell_width=1.0, cell_height=1.0))
-    if reports_faults == "after":
+    if reports_faults in ("after", "between"):
         faulthandler.enable()
+    if reports_faults == "between":
+        second = scratch / "second.img"
+        second.write_bytes(bytes(1 << 16))
+        grids = [grid, Grid.open(second, GridLayout(2, 2, cell_width=1.0, cell_height=1.0))]
+        assert not any(opened.damaged for opened in grids)
     if grid_file == "cut":
         os.truncate(mapped, 0)
 

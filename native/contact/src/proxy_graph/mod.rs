@@ -110,8 +110,12 @@ impl ProxyGraph {
 
     /// Moves the proxy straight toward the goal until it meets a triangle (paper 3.2).
     fn free_space<S: Sample>(&mut self, search: &Search<S>, counters: &mut Counters) -> FreeSpace {
-        counters.collision_tests += 1;
         let target = search.target(&self.position);
+        if counters.steps() >= self.step_budget {
+            counters.steps_left = cells_between(&self.position, &target);
+            return FreeSpace::Ended;
+        }
+        counters.collision_tests += 1;
         let start = match self.ahead(search, &target) {
             Some((triangle, true)) => return FreeSpace::Blocked(triangle),
             Some((triangle, false)) => Start::Surface(triangle),
@@ -125,7 +129,7 @@ impl ProxyGraph {
             _ => false,
         };
 
-        let most_cells = (self.step_budget.saturating_sub(counters.steps())).max(1);
+        let most_cells = self.step_budget - counters.steps();
         let ray = cast(search.field, &self.position, start, &target, most_cells);
         counters.cells += ray.cells;
         match ray.end {
