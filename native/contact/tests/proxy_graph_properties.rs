@@ -22,7 +22,7 @@ fn assert_sound(grid: &Grid, contact: &Contact) {
     assert!(contact.proxy.is_finite(), "{contact:?}");
     assert!(contact.distance.is_finite(), "{contact:?}");
     let counters = &contact.counters;
-    assert!(counters.vertices + counters.cells <= BUDGET + 1, "{contact:?}");
+    assert!(counters.vertices + counters.cells <= BUDGET, "{contact:?}");
     assert!(depth_below_surface(grid, contact) < 1e-9, "{contact:?}");
 }
 

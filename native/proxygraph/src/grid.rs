@@ -7,7 +7,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyBytes;
 use std::path::PathBuf;
 use std::sync::Arc;
-use surface::{ByteOrder, GridPoint, SampleType};
+use surface::{ByteOrder, SampleType};
 
 /// Where the samples of a row-major grid lie, and what they mean.
 #[pyclass(frozen, eq, module = "proxygraph")]
@@ -242,7 +242,7 @@ impl Grid {
     }
 
     fn elevation_at(&self, east: f64, north: f64) -> Option<f64> {
-        let point = grid_point(&self.grid, east, north, 0.0);
+        let point = self.grid.layout().grid_point([east, north, 0.0]);
         if point.is_finite() { self.grid.surface_elevation(&point) } else { None }
     }
 
@@ -264,20 +264,6 @@ impl Grid {
     fn range(&self, py: Python<'_>) -> Option<GridRange> {
         py.detach(|| self.grid.range()).map(|range| GridRange { range })
     }
-}
-
-/// The grid point at terrain metres east, north and up.
-pub fn grid_point(grid: &surface::Grid, east: f64, north: f64, up: f64) -> GridPoint {
-    let layout = grid.layout();
-    GridPoint::new(east / layout.cell_width(), -north / layout.cell_height(), up)
-}
-
-/// Terrain metres (east, north, up) of a grid point.
-pub fn terrain_point(grid: &surface::Grid, point: &GridPoint) -> (f64, f64, f64) {
-    let layout = grid.layout();
-    let east = point.columns() * layout.cell_width();
-    // Subtracted from zero, because -0.0 would be shown as such.
-    (east, 0.0 - point.rows() * layout.cell_height(), point.elevation)
 }
 
 /// A memoryview of format `d`.

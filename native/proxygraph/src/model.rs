@@ -1,7 +1,7 @@
 //! Contact models without a servo.
 
 use crate::errors::value_error;
-use crate::grid::{Grid, grid_point, terrain_point};
+use crate::grid::Grid;
 use crate::numbers::Whole;
 use contact::{ContactModel, Feature};
 use pyo3::prelude::*;
@@ -38,13 +38,13 @@ impl ProxyGraph {
     }
 
     fn place(&mut self, east: f64, north: f64, up: f64) {
-        self.model.place(grid_point(&self.grid, east, north, up));
+        self.model.place(self.grid.layout().grid_point([east, north, up]));
     }
 
     fn update(&mut self, east: f64, north: f64, up: f64) -> Contact {
-        let goal = grid_point(&self.grid, east, north, up);
+        let goal = self.grid.layout().grid_point([east, north, up]);
         let contact = self.model.update(&self.grid, &self.metric, &goal);
-        Contact { proxy: terrain_point(&self.grid, &contact.proxy), contact }
+        Contact { proxy: self.grid.layout().terrain_place(&contact.proxy).into(), contact }
     }
 }
 

@@ -13,8 +13,7 @@ use crate::Window;
 #[derive(Clone, Copy, Debug)]
 pub struct Frame {
     window: Window,
-    cell_width: f64,
-    cell_height: f64,
+    layout: GridLayout,
     metric: Metric,
     origin: GridPoint,
 }
@@ -44,10 +43,9 @@ impl Frame {
         check::finite("row under the window", rows)?;
         Ok(Frame {
             window,
-            cell_width: layout.cell_width(),
-            cell_height: layout.cell_height(),
+            layout: *layout,
             metric,
-            origin: GridPoint::new(columns, rows, window.up()),
+            origin: layout.grid_point([window.east(), window.north(), window.up()]),
         })
     }
 
@@ -91,7 +89,7 @@ impl Frame {
 
     /// A grid point in the terrain frame: metres east, north and up.
     pub fn terrain(&self, point: &GridPoint) -> [f64; 3] {
-        [point.columns() * self.cell_width, 0.0 - point.rows() * self.cell_height, point.elevation]
+        self.layout.terrain_place(point)
     }
 }
 

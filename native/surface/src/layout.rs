@@ -1,5 +1,6 @@
 //! Where the samples of a grid lie, and what they mean.
 
+use crate::point::GridPoint;
 use crate::sample::{ByteOrder, SampleType};
 
 /// Rows or columns that a grid may have at the most: cell numbers then stay far inside `i64`, and
@@ -204,6 +205,19 @@ impl GridLayout {
     pub fn byte_length(&self) -> u64 {
         let last_row = u64::from(self.rows - 1) * self.row_stride;
         self.offset + last_row + self.row_bytes()
+    }
+
+    /// The grid point at a place in the terrain frame: metres east and north of sample (0, 0), and
+    /// metres of elevation.
+    pub fn grid_point(&self, [east, north, up]: [f64; 3]) -> GridPoint {
+        GridPoint::new(east / self.cell_width, -north / self.cell_height, up)
+    }
+
+    /// A grid point's place in the terrain frame, metres east, north and up.
+    pub fn terrain_place(&self, point: &GridPoint) -> [f64; 3] {
+        let east = point.columns() * self.cell_width;
+        // Subtracted from zero: row 0 is at 0 m north, not at -0.
+        [east, 0.0 - point.rows() * self.cell_height, point.elevation]
     }
 
     fn row_bytes(&self) -> u64 {
