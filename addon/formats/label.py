@@ -14,8 +14,17 @@ from .format_error import FormatError
 
 FIRST_KEYWORD = "PDS_VERSION_ID"
 
-MAXIMUM_BYTES = 1 << 20
-"""A detached label has a few kilobytes; more than this is not one, and is not read whole."""
+MAXIMUM_BYTES = 64 << 10
+"""A detached label has 2 to 6 kilobytes. Following a mebibyte of text would hold Blender up for half a minute."""
+
+MAXIMUM_COUNT = 2**53
+"""Beyond it doubles do not count every whole number."""
+
+MAXIMUM_FOUND = 120
+"""Letters of what was found that a message repeats."""
+
+Units = Mapping[str, float]
+"""What a number is multiplied by for each unit that may be written beside it."""
 
 _REQUIRED: Any = object()
 
@@ -46,31 +55,56 @@ class Label:
         return str(self.value(*place, default=default))
 
     @overload
-    def number(self, *place: str, default: float = ...) -> float: ...
+    def number(self, *place: str, units: Units | None = ..., default: float = ...) -> float: ...
     @overload
-    def number(self, *place: str, default: None) -> float | None: ...
-    def number(self, *place: str, default: float | None = _REQUIRED) -> float | None:
-        """Find a keyword's finite number, whatever unit is written beside it."""
+    def number(self, *place: str, units: Units | None = ..., default: None) -> float | None: ...
+    def number(
+        self, *place: str, units: Units | None = None, default: float | None = _REQUIRED
+    ) -> float | None:
+        """Find a keyword's finite number.
+
+        Args:
+            units: that may be written beside it, in capitals, the one that is meant where none is written
+                first; ``None`` for counts and raw values, which mean the same with any unit.
+        """
         value = self.value(*place, default=default)
-        if value is None:
-            if default is None:
-                return None
-        else:
-            value = getattr(value, "value", value)
-        if isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value):
-            return float(value)
-        raise self.wrong(place[-1], repr(value), "a number", "Mend the label.")
+        if value is default:  # also where it is ``None``
+            return default
+        number = self._finite(place[-1], getattr(value, "value", value))
+        if units is None:
+            return number
+        unit = str(getattr(value, "units", next(iter(units)))).upper().replace(" ", "")
+        if unit not in units:
+            raise self.wrong(
+                place[-1], f"the unit <{unit}>", f"<{'>, <'.join(units)}> or none", "Mend the label."
+            )
+        return number * units[unit]
 
     def whole(self, *place: str, default: int = _REQUIRED) -> int:
         """Find a keyword's whole number, 0 or more."""
         number = self.number(*place, default=default)
-        if number < 0 or number != int(number):
-            raise self.wrong(place[-1], number, "a whole number", "Mend the label.")
+        if not 0 <= number <= MAXIMUM_COUNT or number != int(number):
+            raise self.wrong(place[-1], f"{number:g}", "a whole number", "Mend the label.")
         return int(number)
 
     def wrong(self, field: str, found: object, expected: object, way_out: str) -> FormatError:
         """Make the error for one of this label's fields."""
-        return FormatError(self.path, field, found=found, expected=expected, way_out=way_out)
+        try:
+            text = str(found)
+        except ValueError:  # Python does not write whole numbers of thousands of digits
+            text = "a number of thousands of digits"
+        if len(text) > MAXIMUM_FOUND:
+            text = f"{text[:MAXIMUM_FOUND]}..."
+        return FormatError(self.path, field, found=text, expected=expected, way_out=way_out)
+
+    def _finite(self, field: str, value: Any) -> float:
+        """Make a double; there are whole numbers that are too large for one."""
+        try:
+            if isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value):
+                return float(value)
+        except OverflowError:
+            value = "a number of more than 300 digits"
+        raise self.wrong(field, value, "a number", "Mend the label.")
 
 
 def read_label(path: Path) -> Label:
@@ -102,7 +136,9 @@ def _label_text(path: Path) -> str:
         raise FormatError(
             path,
             "label",
-            found=f"no {FIRST_KEYWORD}" if FIRST_KEYWORD not in text else "more than a mebibyte",
+            found=f"no {FIRST_KEYWORD}"
+            if FIRST_KEYWORD not in text
+            else f"more than {MAXIMUM_BYTES:,} bytes",
             expected="a PDS3 label",
             way_out="This is not a label: choose the .lbl file that came with the grid.",
         )
@@ -110,4 +146,5 @@ def _label_text(path: Path) -> str:
 
 
 def _first_line(error: Exception) -> str:
-    return str(error).strip().splitlines()[0] if str(error).strip() else type(error).__name__
+    lines = str(error).strip().splitlines()
+    return lines[0][:MAXIMUM_FOUND] if lines else type(error).__name__

@@ -6,7 +6,7 @@ MGS-M-MOLA-5-MEGDR-L3-V1.0, and the PDS3 Standards Reference for the label itsel
 
 from __future__ import annotations
 
-from pathlib import Path
+from pathlib import Path, PureWindowsPath
 from typing import Literal
 
 from proxygraph import GridError, GridLayout
@@ -14,8 +14,8 @@ from proxygraph import GridError, GridLayout
 from .elevation_grid import ElevationGrid
 from .format_error import FormatError
 from .georeference import Georeference
-from .label import Label, read_label
-from .partner_file import file_in_any_case
+from .label import MAXIMUM_COUNT, Label, Units, read_label
+from .partner_file import file_in_any_case, is_file
 
 Sample = Literal["i16", "u16"]
 ByteOrder = Literal["big", "little"]
@@ -29,6 +29,18 @@ SAMPLE_TYPES: dict[str, tuple[Sample, ByteOrder]] = {
 """PDS3 sample types of 16 bits, as (sample, byte order) of a GridLayout."""
 
 PROJECTION = "SIMPLE CYLINDRICAL"
+
+KILOMETRES: Units = {"KM": 1000.0, "M": 1.0}
+"""To metres; PDS3 has radii in kilometres."""
+
+DEGREES: Units = {"DEGREE": 1.0, "DEGREES": 1.0, "DEG": 1.0}
+
+PIXELS_PER_DEGREE: Units = {"PIXEL/DEGREE": 1.0, "PIXELS/DEGREE": 1.0, "PIX/DEG": 1.0}
+
+METRES: Units = {"METER": 1.0, "METERS": 1.0, "M": 1.0, "M/DN": 1.0}
+
+LONGEST_NAME = 255
+"""Bytes of a file name that common file systems take."""
 
 LONGITUDE_LIMITS = "WESTERNMOST_LONGITUDE and EASTERNMOST_LONGITUDE"
 LATITUDE_LIMITS = "MINIMUM_LATITUDE and MAXIMUM_LATITUDE"
@@ -61,7 +73,7 @@ def _label_path(path: Path) -> Path:
             expected="a PDS3 label",
             way_out=(
                 "Put the .lbl file beside the .img file; labels inside the data file are not read yet."
-                if path.is_file()
+                if is_file(path)
                 else "Check the path."
             ),
         )
@@ -71,6 +83,11 @@ def _label_path(path: Path) -> Path:
 def _data_place(label: Label) -> tuple[Path, int]:
     """Find the data file that ``^IMAGE`` points to, and the byte at which its samples begin."""
     name, offset = _image_pointer(label)
+    if not _is_bare_file_name(name):
+        # A label that was downloaded has no business in other folders.
+        raise label.wrong(
+            "^IMAGE", f'"{name}"', "the bare name of a file beside the label", "Mend the label."
+        )
     named = label.path.with_name(name)
     beside = label.path.with_suffix(".img")
     found = file_in_any_case(named) or file_in_any_case(beside)
@@ -85,6 +102,16 @@ def _data_place(label: Label) -> tuple[Path, int]:
     return found, offset
 
 
+def _is_bare_file_name(name: str) -> bool:
+    """Whether a name leads to no other folder, on any system, and may be one at all."""
+    return (
+        name not in {"", ".", ".."}
+        and PureWindowsPath(name).name == name
+        and name.isprintable()
+        and len(name.encode()) <= LONGEST_NAME
+    )
+
+
 def _image_pointer(label: Label) -> tuple[str, int]:
     """Read ``^IMAGE``: a name, or (name, record from 1), or (name, byte from 1 with its unit)."""
     pointer = label.value("^IMAGE")
@@ -92,16 +119,16 @@ def _image_pointer(label: Label) -> tuple[str, int]:
         return pointer, 0
     if isinstance(pointer, list | tuple) and len(pointer) == 2 and isinstance(pointer[0], str):
         name, place = pointer
-        if isinstance(place, int) and place >= 1:
-            return name, (place - 1) * label.whole("RECORD_BYTES")
-        if "BYTE" in str(getattr(place, "units", "")).upper() and int(place.value) >= 1:
-            return name, int(place.value) - 1
-    raise FormatError(
-        label.path,
+        in_bytes = "BYTE" in str(getattr(place, "units", "")).upper()
+        number = place.value if in_bytes else place
+        if isinstance(number, int | float) and 1 <= number <= MAXIMUM_COUNT and number == int(number):
+            before = int(number) - 1
+            return name, before if in_bytes else before * label.whole("RECORD_BYTES")
+    raise label.wrong(
         "^IMAGE",
-        found=pointer,
-        expected="the name of a data file",
-        way_out="Labels inside the data file are not read yet; use a grid with a separate .lbl file.",
+        pointer,
+        "the name of a data file, and where in it the samples begin",
+        "Labels inside the data file are not read yet; use a grid with a separate .lbl file.",
     )
 
 
@@ -121,13 +148,13 @@ def _georeference(label: Label) -> Georeference:
             "Maps with longitudes to the west are not read yet.",
         )
 
-    def number(field: str) -> float:
-        return label.number("IMAGE_MAP_PROJECTION", field)
+    def degrees(field: str) -> float:
+        return label.number("IMAGE_MAP_PROJECTION", field, units=DEGREES)
 
-    west, east = number("WESTERNMOST_LONGITUDE"), number("EASTERNMOST_LONGITUDE")
+    west, east = degrees("WESTERNMOST_LONGITUDE"), degrees("EASTERNMOST_LONGITUDE")
     if east <= west:
         east += 360.0
-    south, north = number("MINIMUM_LATITUDE"), number("MAXIMUM_LATITUDE")
+    south, north = degrees("MINIMUM_LATITUDE"), degrees("MAXIMUM_LATITUDE")
     if not (0.0 < east - west <= 360.0):
         raise label.wrong(LONGITUDE_LIMITS, f"{west} and {east}", "at most 360 degrees", "Mend the label.")
     if not (-90.0 <= south < north <= 90.0):
@@ -136,19 +163,19 @@ def _georeference(label: Label) -> Georeference:
         )
     return Georeference(
         body=label.text("TARGET_NAME").title(),
-        radius=_positive(label, "A_AXIS_RADIUS") * 1000.0,  # the label has kilometres
+        radius=_positive(label, "A_AXIS_RADIUS", KILOMETRES),
         projection=projection,
         westernmost_longitude=west,
         easternmost_longitude=east,
         minimum_latitude=south,
         maximum_latitude=north,
-        pixels_per_degree=_positive(label, "MAP_RESOLUTION"),
+        pixels_per_degree=_positive(label, "MAP_RESOLUTION", PIXELS_PER_DEGREE),
         vertical_reference=_vertical_reference(label),
     )
 
 
-def _positive(label: Label, field: str) -> float:
-    number = label.number("IMAGE_MAP_PROJECTION", field)
+def _positive(label: Label, field: str, units: Units) -> float:
+    number = label.number("IMAGE_MAP_PROJECTION", field, units=units)
     if number <= 0.0:
         raise label.wrong(field, number, "a number above 0", "Mend the label.")
     return number
@@ -165,6 +192,9 @@ def _vertical_reference(label: Label) -> str:
 def _layout(label: Label, georeference: Georeference, offset: int) -> GridLayout:
     """Say where the samples lie and what they mean."""
     sample, byte_order = _sample(label)
+    unit = label.text("IMAGE", "UNIT", default="METER").upper()
+    if unit not in METRES:
+        raise label.wrong("UNIT", unit, " or ".join(METRES), "Only heights in metres are read yet.")
     rows, columns = label.whole("IMAGE", "LINES"), label.whole("IMAGE", "LINE_SAMPLES")
     _check_size(label, georeference, rows, columns)
     prefix = label.whole("IMAGE", "LINE_PREFIX_BYTES", default=0)
@@ -179,12 +209,12 @@ def _layout(label: Label, georeference: Georeference, offset: int) -> GridLayout
             byte_order=byte_order,
             offset=offset + prefix,
             row_stride=prefix + columns * 2 + suffix,
-            scale=label.number("IMAGE", "SCALING_FACTOR", default=1.0),
-            value_offset=label.number("IMAGE", "OFFSET", default=0.0),
+            scale=label.number("IMAGE", "SCALING_FACTOR", units=METRES, default=1.0),
+            value_offset=label.number("IMAGE", "OFFSET", units=METRES, default=0.0),
             void=label.number("IMAGE", "MISSING_CONSTANT", default=None),
             wraps=georeference.spans_the_globe,
         )
-    except GridError as error:
+    except (GridError, OverflowError) as error:  # the second for what no 64 bits hold
         raise label.wrong("IMAGE", error, "a grid that can be touched", "Mend the label.") from error
 
 

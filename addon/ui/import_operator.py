@@ -10,6 +10,7 @@ import bpy
 from bpy_extras.io_utils import ImportHelper
 
 from ..formats import SUFFIXES, ElevationGrid, FormatError, read_grid
+from ..formats.partner_file import is_file
 from ..terrain.import_terrain import ImportOptions, SceneScale, import_terrain
 from ..terrain.kept import recall
 from ..terrain.preview import VERTEX_BUDGET, preview_cells
@@ -117,12 +118,11 @@ class HAPTIC_TERRAIN_FH_grid(bpy.types.FileHandler):
 
 def preview_lines(path: Path, vertex_budget: int) -> list[str]:
     """Describe a file from its label alone: what it has, and how much of it would be shown."""
-    if not path.is_file():
+    if not is_file(path):
         return ["Choose a label (.lbl) or a data file (.img)"]
-    try:
-        grid = _cached_grid(path, path.stat().st_mtime_ns)
-    except (FormatError, OSError) as error:
-        return wrapped(str(error), DIALOG_LETTERS)
+    grid = _cached_grid(path, _ages(path))
+    if isinstance(grid, FormatError):
+        return wrapped(str(grid), DIALOG_LETTERS)
     shown = preview_cells(grid.layout, vertex_budget)
     return [
         grid.title,
@@ -137,6 +137,20 @@ def draw_menu(self: Any, context: bpy.types.Context) -> None:
 
 
 @lru_cache(maxsize=1)
-def _cached_grid(path: Path, _modified: int) -> ElevationGrid:
-    """Remember the last label: the file browser asks again each time it is drawn."""
-    return read_grid(path)
+def _cached_grid(path: Path, _ages: tuple[int, ...]) -> ElevationGrid | FormatError:
+    """Remember the last label, also one that is refused: the file browser asks each time it is drawn."""
+    try:
+        return read_grid(path)
+    except FormatError as error:
+        return error
+
+
+def _ages(path: Path) -> tuple[int, ...]:
+    """When the file, its partner and their folder were changed: what was refused may have been mended."""
+    ages = []
+    for place in (path, path.with_suffix(".lbl"), path.with_suffix(".img"), path.parent):
+        try:
+            ages.append(place.stat().st_mtime_ns)
+        except OSError:
+            ages.append(0)
+    return tuple(ages)

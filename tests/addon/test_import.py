@@ -76,6 +76,35 @@ def test_the_dialog_says_what_is_wrong_with_a_file(pair: MegdrPair, tmp_path: Pa
     assert "LINES" in lines[0]
 
 
+@pytest.mark.parametrize("name", ['"../G.IMG"', '"."', f'"{"G" * 300}"', '("G.IMG", 1e400 <BYTES>)'])
+def test_the_dialog_explains_hostile_names(pair: MegdrPair, tmp_path: Path, name: str) -> None:
+    label = replace(pair, header={"^IMAGE": name}).write(tmp_path)
+    assert "^IMAGE" in " ".join(module("ui.import_operator").preview_lines(label, 60))
+
+
+def test_the_dialog_stands_a_name_that_no_system_takes(tmp_path: Path) -> None:
+    assert "Choose" in module("ui.import_operator").preview_lines(tmp_path / f"{'g' * 300}.lbl", 60)[0]
+
+
+def test_the_dialog_reads_a_refused_label_once_and_again_when_it_is_mended(
+    pair: MegdrPair, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    dialog, reads = module("ui.import_operator"), []
+
+    def noted(path: Path) -> object:
+        reads.append(path)
+        return module("formats").read_grid(path)
+
+    monkeypatch.setattr(dialog, "read_grid", noted)
+    label = replace(pair, image={"LINES": 1}).write(tmp_path)
+    for _ in range(3):
+        assert "LINES" in " ".join(dialog.preview_lines(label.with_suffix(".img"), 60))
+    assert len(reads) == 1
+    label.unlink()
+    pair.write(tmp_path)
+    assert "Mars grid" in dialog.preview_lines(label.with_suffix(".img"), 60)
+
+
 def test_a_planet_closes(tmp_path: Path) -> None:
     terrain = import_grid(planet().write(tmp_path), vertex_budget=10_000)
     cells = module("terrain.preview").preview_cells(

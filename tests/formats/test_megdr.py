@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -252,6 +253,108 @@ def test_no_image_object(pair: MegdrPair, tmp_path: Path) -> None:
 @pytest.mark.parametrize("pointer", ["5", "(1, 2, 3)", "('GRID.IMG', 0)", None])
 def test_a_pointer_that_leads_nowhere(pair: MegdrPair, tmp_path: Path, pointer: str | None) -> None:
     assert "^IMAGE" in complaint(replace(pair, header={"^IMAGE": pointer}).write(tmp_path))
+
+
+@pytest.mark.parametrize(
+    "name", ["../G.IMG", "/G.IMG", "C:G.IMG", r"..\G.IMG", "", ".", "..", "G" * 300, "G\N{CENT SIGN}" * 200]
+)
+def test_a_pointer_to_anything_but_a_file_beside_the_label(
+    pair: MegdrPair, tmp_path: Path, name: str
+) -> None:
+    label = replace(pair, header={"^IMAGE": "NAME"}).write(tmp_path)
+    label.write_text(label.read_text().replace("^IMAGE = NAME", f'^IMAGE = "{name}"'), encoding="latin-1")
+    (tmp_path.parent / "G.IMG").write_bytes(pair.data())
+    text = complaint(label)
+    for word in ("grid.lbl: ^IMAGE: found", name[:50], "expected the bare name", "Mend the label."):
+        assert word in text
+    assert len(text) < 400
+
+
+@pytest.mark.parametrize("name", ["lbl", "img"])
+def test_a_chosen_name_that_no_system_takes(tmp_path: Path, name: str) -> None:
+    assert "no such file" in complaint(tmp_path / f"{'g' * 300}.{name}")
+
+
+HUGE = "1" + 400 * "0"
+
+
+@pytest.mark.parametrize(
+    ("where", "field", "value"),
+    [
+        ("image", "LINES", HUGE),
+        ("image", "LINES", "1e300"),
+        ("image", "LINE_PREFIX_BYTES", "1e30"),
+        ("image", "LINE_SUFFIX_BYTES", f"16#{'F' * 6000}#"),
+        ("image", "OFFSET", "1e400"),
+        ("image", "MISSING_CONSTANT", HUGE),
+        ("projection", "A_AXIS_RADIUS", HUGE),
+        ("projection", "MAP_RESOLUTION", "1e400"),
+        ("projection", "WESTERNMOST_LONGITUDE", "1e300"),
+        ("header", "^IMAGE", '("G.IMG", 1e400 <BYTES>)'),
+        ("header", "^IMAGE", f'("G.IMG", {HUGE})'),
+        ("header", "^IMAGE", '("G.IMG", 1.5 <BYTES>)'),
+        ("header", "^IMAGE", '("G.IMG", "3" <BYTES>)'),
+    ],
+)
+def test_numbers_beyond_all_measure(
+    pair: MegdrPair, tmp_path: Path, where: str, field: str, value: str
+) -> None:
+    spoilt: dict[str, Any] = {where: {field: value}}
+    text = complaint(replace(pair, **spoilt).write(tmp_path))
+    assert text.startswith("grid.lbl: ")
+    assert field in text
+    assert "expected" in text
+    assert len(text) < 500
+
+
+@pytest.mark.parametrize(
+    ("field", "value", "same"),
+    [
+        ("A_AXIS_RADIUS", "3396000.0 <M>", "3396.0 <KM>"),
+        ("A_AXIS_RADIUS", "3396.0", "3396.0 <KM>"),
+        ("A_AXIS_RADIUS", "3396.0 <km>", "3396.0 <KM>"),
+        ("MAP_RESOLUTION", "1.0 <PIX/DEG>", "1.0 <PIXEL/DEGREE>"),
+        ("MAP_RESOLUTION", "1.0", "1.0 <PIXEL/DEGREE>"),
+        ("MAXIMUM_LATITUDE", "10 <DEG>", "10 <DEGREE>"),
+    ],
+)
+def test_written_units_are_heeded(pair: MegdrPair, tmp_path: Path, field: str, value: str, same: str) -> None:
+    written = read_grid(replace(pair, projection={field: value}).write(tmp_path))
+    meant = read_grid(replace(pair, projection={field: same}).write(tmp_path))
+    assert written.georeference == meant.georeference
+    assert written.georeference.radius == 3_396_000.0
+
+
+@pytest.mark.parametrize(
+    ("where", "field", "value", "unit"),
+    [
+        ("projection", "A_AXIS_RADIUS", "2110 <MILES>", "MILES"),
+        ("projection", "MAP_RESOLUTION", "1.0 <PIXEL/RADIAN>", "PIXEL/RADIAN"),
+        ("projection", "MAXIMUM_LATITUDE", "0.2 <RADIAN>", "RADIAN"),
+        ("projection", "WESTERNMOST_LONGITUDE", "20 <HOUR>", "HOUR"),
+        ("image", "OFFSET", "3396 <FEET>", "FEET"),
+        ("image", "UNIT", "KILOMETER", "KILOMETER"),
+    ],
+)
+def test_other_units_are_refused(
+    pair: MegdrPair, tmp_path: Path, where: str, field: str, value: str, unit: str
+) -> None:
+    spoilt: dict[str, Any] = {where: {field: value}}
+    text = complaint(replace(pair, **spoilt).write(tmp_path))
+    for word in (f"grid.lbl: {field}", unit, "expected", "Mend" if where != "image" else "."):
+        assert word in text
+
+
+def test_a_text_that_is_too_long_for_a_label_is_not_followed(
+    pair: MegdrPair, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def follow(_text: str) -> None:
+        raise AssertionError("the text was followed")
+
+    label = pair.write(tmp_path)
+    label.write_text(label.read_text().replace("END\n", "A = (1, 2)\n" * 6000 + "END\n"))
+    monkeypatch.setattr("addon.formats.label.pvl.loads", follow)
+    assert "65,536 bytes" in complaint(label)
 
 
 @pytest.mark.parametrize(
