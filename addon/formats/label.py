@@ -15,7 +15,7 @@ from .format_error import FormatError
 FIRST_KEYWORD = "PDS_VERSION_ID"
 
 MAXIMUM_BYTES = 64 << 10
-"""A detached label has 2 to 6 kilobytes. Following a mebibyte of text would hold Blender up for half a minute."""
+"""A detached label has 2 to 6 kilobytes; to follow a mebibyte of text takes half a minute."""
 
 MAXIMUM_COUNT = 2**53
 """Beyond it doubles do not count every whole number."""
@@ -68,8 +68,8 @@ class Label:
                 first; ``None`` for counts and raw values, which mean the same with any unit.
         """
         value = self.value(*place, default=default)
-        if value is default:  # also where it is ``None``
-            return default
+        if value is None and default is None:
+            return None
         number = self._finite(place[-1], getattr(value, "value", value))
         if units is None:
             return number

@@ -15,6 +15,12 @@ from .kept import KeptTerrain, keep
 from .material import HYPSOMETRIC, Ramp, ramp_material
 from .mesh import ELEVATION, preview_mesh
 from .preview import VERTEX_BUDGET, PreviewSurface, preview_cells, preview_surface
+from .progress import Tell, progress
+from .select import select_only
+from .undone import undone_on_failure
+
+SHARES_DONE = {"header": 0.05, "range": 0.6, "samples": 0.8}
+"""Of an import, by its usual times: after the label, the scan of the whole grid, and the shown samples."""
 
 COLOURED = (1.0, 99.0)
 """Percentiles of the shown heights at the ends of the colour ramp."""
@@ -39,14 +45,21 @@ class ImportOptions:
 
 
 def import_terrain(context: bpy.types.Context, path: Path, options: ImportOptions) -> bpy.types.Object:
-    """Make a terrain object and put it into the scene. Everything that can fail fails before that.
+    """Make a terrain object and put it into the scene; a failure leaves nothing there.
 
     Raises:
         FormatError: the file cannot be used.
     """
-    grid = read_grid(path.absolute())
+    with progress(context) as tell, undone_on_failure():
+        return _import(context, path.absolute(), options, tell)
+
+
+def _import(context: bpy.types.Context, path: Path, options: ImportOptions, tell: Tell) -> bpy.types.Object:
+    grid = read_grid(path)
     samples = grid.open()
+    tell(SHARES_DONE["header"])
     extent = samples.range()
+    tell(SHARES_DONE["range"])
     if extent is None:
         raise FormatError(
             grid.data_path,
@@ -57,6 +70,7 @@ def import_terrain(context: bpy.types.Context, path: Path, options: ImportOption
         )
     frame = _frame(grid, extent.minimum, extent.maximum, options)
     surface = preview_surface(samples, preview_cells(grid.layout, options.vertex_budget))
+    tell(SHARES_DONE["samples"])
     kept = KeptTerrain(grid, frame, options.vertex_budget, extent.minimum, extent.maximum)
     return _add_object(context, kept, surface)
 
@@ -87,8 +101,5 @@ def _add_object(context: bpy.types.Context, kept: KeptTerrain, surface: PreviewS
     terrain = bpy.data.objects.new(title, mesh)
     keep(terrain, kept)
     context.collection.objects.link(terrain)
-    for other in context.selected_objects:
-        other.select_set(False)
-    terrain.select_set(True)
-    context.view_layer.objects.active = terrain
+    select_only(context, terrain)
     return terrain

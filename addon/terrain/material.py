@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import bpy
+import numpy as np
 
 Colour = tuple[float, float, float]
 
@@ -45,7 +46,7 @@ def ramp_material(name: str, ramp: Ramp) -> bpy.types.Material:
     attribute.attribute_name = ramp.attribute
     share = nodes.new("ShaderNodeMapRange")
     share.inputs["From Min"].default_value = ramp.low
-    share.inputs["From Max"].default_value = max(ramp.high, ramp.low + 1e-6)
+    share.inputs["From Max"].default_value = _above(ramp.low, ramp.high)
     colours = nodes.new("ShaderNodeValToRGB")
     _set_colours(colours.color_ramp, ramp.colours)
     surface = nodes.new("ShaderNodeBsdfPrincipled")
@@ -61,6 +62,11 @@ def ramp_material(name: str, ramp: Ramp) -> bpy.types.Material:
     for number, node in enumerate((attribute, share, colours, surface, output)):
         node.location = (number * 260.0, 0.0)
     return material
+
+
+def _above(low: float, high: float) -> float:
+    """Give ``high``, or on a flat grid the next number above ``low`` that Blender's 32 bits tell apart."""
+    return max(high, float(np.nextafter(np.float32(low), np.float32(np.inf))))
 
 
 def _set_colours(ramp: bpy.types.ColorRamp, colours: Sequence[tuple[float, Colour]]) -> None:

@@ -32,9 +32,12 @@ def triangle_mesh(
     mesh.vertices.add(len(positions))
     mesh.loops.add(triangles.size)
     mesh.polygons.add(len(triangles))
-    mesh.attributes["position"].data.foreach_set("vector", np.ascontiguousarray(positions).ravel())
-    mesh.attributes[".corner_vert"].data.foreach_set("value", np.ascontiguousarray(triangles).ravel())
-    mesh.polygons.foreach_set("loop_start", np.arange(0, triangles.size, 3, dtype=np.int32))
+    # A mesh has these attributes only when there is something to put into them.
+    if len(positions):
+        mesh.attributes["position"].data.foreach_set("vector", np.ascontiguousarray(positions).ravel())
+    if len(triangles):
+        mesh.attributes[".corner_vert"].data.foreach_set("value", np.ascontiguousarray(triangles).ravel())
+        mesh.polygons.foreach_set("loop_start", np.arange(0, triangles.size, 3, dtype=np.int32))
     mesh.update(calc_edges=True)
     return mesh
 

@@ -93,7 +93,8 @@ class HAPTIC_TERRAIN_OT_import_grid(bpy.types.Operator, ImportHelper):
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
         kept = recall(terrain)
-        frame_selected(context, max(terrain.dimensions[:]))
+        if len(terrain.data.vertices):
+            frame_selected(context, max(terrain.dimensions[:]))
         self.report(
             {"INFO"},
             f"{kept.grid.title}: {kept.grid.samples:,} samples to touch, "

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from itertools import chain
 from pathlib import Path
+from types import SimpleNamespace
 
 import bpy
 import numpy as np
@@ -123,6 +124,105 @@ def test_triangles_at_a_void_are_absent(tmp_path: Path) -> None:
     assert len(mesh.polygons) == 32 - 6
     assert positions(mesh)[:, 2].min() > -20.0
     assert not mesh.validate()
+
+
+def checkered(rows: int, columns: int, *, void: int = -32768) -> list[list[int]]:
+    """Every second sample is void: no triangle is whole."""
+    heights = rough(rows, columns)
+    return [
+        [void if (row + column) % 2 else height for column, height in enumerate(line)]
+        for row, line in enumerate(heights)
+    ]
+
+
+def test_a_grid_without_a_whole_triangle_has_a_preview_of_points(tmp_path: Path) -> None:
+    pair = MegdrPair(checkered(6, 6), image={"MISSING_CONSTANT": -32768})
+    mesh = import_grid(pair.write(tmp_path)).data
+    assert (len(mesh.vertices), len(mesh.polygons)) == (18, 0)
+    assert positions(mesh)[:, 0].max() > 0.0
+
+
+def test_a_grid_whose_shown_samples_are_all_void_can_be_touched(tmp_path: Path) -> None:
+    heights = rough(40, 40)
+    label = MegdrPair(heights).write(tmp_path)
+    layout = module("formats").read_grid(label).layout
+    cells = module("terrain.preview").preview_cells(layout, 16)
+    for row in cells.rows:
+        for column in cells.columns:
+            heights[row][column] = -32768
+    pair = MegdrPair(heights, image={"MISSING_CONSTANT": -32768})
+    mesh = import_grid(pair.write(tmp_path), vertex_budget=16).data
+    assert (len(mesh.vertices), len(mesh.polygons)) == (0, 0)
+    assert bpy.ops.haptic_terrain.touch_start() == {"FINISHED"}
+
+
+@pytest.mark.parametrize(
+    "step", ["terrain.mesh._positions", "terrain.import_terrain.ramp_material", "terrain.import_terrain.keep"]
+)
+def test_an_import_that_fails_half_way_leaves_nothing(
+    pair: MegdrPair, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, step: str
+) -> None:
+    def fail(*_arguments: object, **_named: object) -> None:
+        raise MemoryError
+
+    place, _, name = step.rpartition(".")
+    monkeypatch.setattr(module(place), name, fail)
+    before = contents()
+    with pytest.raises(RuntimeError, match="MemoryError"):
+        import_grid(pair.write(tmp_path))
+    assert contents() == before
+
+
+def test_an_import_into_an_excluded_collection_is_not_selected(pair: MegdrPair, tmp_path: Path) -> None:
+    layer = bpy.context.view_layer
+    collection = bpy.data.collections.new("Away")
+    bpy.context.scene.collection.children.link(collection)
+    layer.active_layer_collection = layer.layer_collection.children["Away"]
+    layer.layer_collection.children["Away"].exclude = True
+    context = SimpleNamespace(
+        window_manager=bpy.context.window_manager,
+        collection=collection,
+        view_layer=layer,
+        selected_objects=[],
+    )
+    importing = module("terrain.import_terrain")
+    terrain = importing.import_terrain(context, pair.write(tmp_path), importing.ImportOptions())
+    assert terrain.name in collection.objects
+
+
+@pytest.mark.parametrize("spoilt", [False, True])
+def test_an_import_shows_how_far_it_has_come(pair: MegdrPair, tmp_path: Path, spoilt: bool) -> None:
+    told: list[float] = []
+    ends: list[bool] = []
+    manager = SimpleNamespace(
+        progress_begin=lambda *_span: told.clear(),
+        progress_update=told.append,
+        progress_end=lambda: ends.append(True),
+    )
+    context = SimpleNamespace(
+        window_manager=manager,
+        collection=bpy.context.collection,
+        view_layer=bpy.context.view_layer,
+        selected_objects=[],
+    )
+    importing = module("terrain.import_terrain")
+    label = replace(pair, image={"LINES": 1} if spoilt else {}).write(tmp_path)
+    try:
+        importing.import_terrain(context, label, importing.ImportOptions())
+    except module("formats").FormatError:
+        assert spoilt
+    else:
+        assert len(told) >= 3
+        assert told == sorted(set(told))
+    assert ends == [True]
+
+
+@pytest.mark.parametrize("height", [21134, 0, -8068])
+def test_a_flat_grid_has_a_range_of_colours(tmp_path: Path, height: int) -> None:
+    terrain = import_grid(MegdrPair([[height] * 3] * 3).write(tmp_path))
+    nodes = terrain.data.materials[0].node_tree.nodes
+    share = next(node for node in nodes if node.type == "MAP_RANGE")
+    assert share.inputs["From Max"].default_value > share.inputs["From Min"].default_value == height
 
 
 def test_the_longest_side_is_ten_units(pair: MegdrPair, tmp_path: Path) -> None:

@@ -1,0 +1,24 @@
+"""All or nothing: what was begun in Blender's data and could not be finished is taken back."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+import bpy
+
+
+@contextmanager
+def undone_on_failure() -> Iterator[None]:
+    """Remove the objects, meshes, materials and actions that were made inside when that fails."""
+    before = {thing.session_uid for thing in _things()}
+    try:
+        yield
+    except BaseException:
+        bpy.data.batch_remove([thing for thing in _things() if thing.session_uid not in before])
+        raise
+
+
+def _things() -> Iterator[bpy.types.ID]:
+    for things in (bpy.data.objects, bpy.data.meshes, bpy.data.materials, bpy.data.actions):
+        yield from things
