@@ -69,6 +69,8 @@ fn the_largest_numbers_do_not_overflow() {
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
     #[test]
     fn the_position_depends_on_time_alone(
         steps in prop::collection::vec((1e-6f64..2.0, -1.0f64..1.0), 1..40),

@@ -36,6 +36,8 @@ fn any_step() -> impl Strategy<Value = f64> {
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
     #[test]
     fn energy_never_grows_without_force(
         mass in any_scale(), stiffness in any_scale(), damping in any_scale(), dt in any_step(),

@@ -65,7 +65,19 @@ mod tests {
         assert_eq!(limited(Force::ZERO, 0.0), (Force::ZERO, false));
     }
 
+    #[test]
+    fn the_limit_is_of_the_whole_force_and_not_of_its_components() {
+        let (cut, was_cut) = limited(Force { newtons: [7.0, -7.0, 7.0] }, 8.0);
+        assert!(was_cut);
+        assert!((magnitude(cut) - 8.0).abs() < 1e-12, "{cut:?}");
+        // 2, 3 and 6 are 7 together: a force at its limit passes as it is.
+        let whole = Force { newtons: [2.0, -3.0, 6.0] };
+        assert_eq!(limited(whole, 7.0), (whole, false));
+    }
+
     proptest! {
+        #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
         #[test]
         fn the_limit_holds_for_every_finite_force(
             newtons in prop::array::uniform3(prop::num::f64::NORMAL | prop::num::f64::ZERO),
