@@ -246,3 +246,105 @@ impl Ring {
 fn beyond(goal: [f64; 3], edge: [f64; 3], share: f64) -> [f64; 3] {
     [goal[0] - share * edge[0], goal[1] - share * edge[1], goal[2] - share * edge[2]]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn ring(rises: [f64; 6]) -> Ring {
+        Ring { column: 0, row: 0, elevation: 0.0, rises }
+    }
+
+    /// Cells as wide as long, or up to ten times longer or shorter, and relief up to ten times more or less.
+    fn any_weights() -> impl Strategy<Value = Weights> {
+        (-1.0f64..1.0, -1.0f64..1.0).prop_map(|(row, up)| {
+            Weights::new(&Metric { column: 1.0, row: 10f64.powf(row), up: 10f64.powf(up) })
+        })
+    }
+
+    /// Whether the end of edge `k` is taken for closer to `goal` than the vertex.
+    fn end_is_closer(rises: [f64; 6], k: usize, goal: [f64; 3], weights: &Weights) -> bool {
+        let ring = ring(rises);
+        let product = weights.product(ring.edge_vector(k), goal);
+        ring.edge_toward(k, product, goal, weights).end_is_closer
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
+        #[test]
+        fn the_minimum_of_a_far_edge_is_its_closest_point_and_names_its_closer_end(
+            rises in prop::array::uniform6(-20.0f64..20.0),
+            goal in prop::array::uniform3(-10.0f64..10.0),
+            weights in any_weights(),
+        ) {
+            let ring = ring(rises);
+            for k in 0..6 {
+                let next = clockwise(k);
+                let (start, end) = (ring.edge_vector(k), ring.edge_vector(next));
+                let squared_distance = |share: f64| {
+                    let at = [0, 1, 2].map(|axis| start[axis] + share * (end[axis] - start[axis]));
+                    weights.squared(beyond(goal, at, 1.0))
+                };
+                let (Minimum::BeyondFarEdge { k: found, share, nearest }, squared) =
+                    ring.far_edge_minimum(k, goal, &weights)
+                else {
+                    panic!("a far edge's minimum lies on the far edge");
+                };
+                prop_assert_eq!(found, k);
+                let rounding = 1e-12 * (squared_distance(0.0) + squared_distance(1.0));
+                prop_assert!((0.0..=1.0).contains(&share));
+                prop_assert!((squared - squared_distance(share)).abs() <= rounding);
+                for part in 0..=64 {
+                    prop_assert!(squared <= squared_distance(f64::from(part) / 64.0) + rounding);
+                }
+                let closer = if squared_distance(0.0) <= squared_distance(1.0) { k } else { next };
+                prop_assert_eq!(nearest, closer);
+            }
+        }
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { cases: 20_000, failure_persistence: None, ..ProptestConfig::default() })]
+
+        /// Else a hand held still at equal distances would send the proxy to and fro for ever.
+        #[test]
+        fn of_two_vertices_at_equal_distance_at_most_one_is_taken_for_closer(
+            k in 0usize..6,
+            elevations in prop::array::uniform2(-1e7f64..1e7),
+            aside in prop::array::uniform3(-1e3f64..1e3),
+        ) {
+            let weights = Weights::new(&Metric { column: 1.0, row: 1.0, up: 1.0 });
+            let [here, there] = elevations;
+            let edge = [EAST[k] as f64, SOUTH[k] as f64, there - here];
+            // Halfway, and then aside at right angles.
+            let share = 0.5 - weights.product(aside, edge) / weights.squared(edge);
+            let goal = [0, 1, 2].map(|axis| aside[axis] + share * edge[axis]);
+            let elevation = goal[2] + here;
+
+            let opposite = (k + 3) % 6;
+            let (mut rises, mut rises_there) = ([f64::NAN; 6], [f64::NAN; 6]);
+            (rises[k], rises_there[opposite]) = (there - here, here - there);
+            let from_here = [goal[0], goal[1], elevation - here];
+            let from_there = [goal[0] - edge[0], goal[1] - edge[1], elevation - there];
+            prop_assert!(
+                !(end_is_closer(rises, k, from_here, &weights)
+                    && end_is_closer(rises_there, opposite, from_there, &weights))
+            );
+        }
+    }
+
+    #[test]
+    fn an_edge_between_two_holes_is_no_way() {
+        // East is deep and close to the goal, but there is no ground beside the way to it.
+        let mut rises = [-100.0, f64::NAN, 0.0, 0.0, 0.0, f64::NAN];
+        let weights = Weights::new(&Metric { column: 1.0, row: 1.0, up: 1.0 });
+        let goal = [-0.1, 0.0, -50.0];
+        let taken = ring(rises).steepest_edge(goal, &weights).map(|edge| edge.k);
+        assert_eq!(taken, Some(3), "west, where ground is");
+        rises[1] = 0.0;
+        let taken = ring(rises).steepest_edge(goal, &weights).map(|edge| edge.k);
+        assert_eq!(taken, Some(0), "one face is enough");
+    }
+}
