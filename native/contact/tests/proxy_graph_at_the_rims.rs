@@ -49,6 +49,35 @@ fn void_is_never_touched() {
 }
 
 #[test]
+fn ground_beside_a_hole_is_not_met_from_within() {
+    let grid = ground_with_a_hole();
+    // Along the ground and over its rim, and through the air.
+    for (elevation, came_by) in [(-0.5, Feature::Face), (1.0, Feature::Free)] {
+        let mut model = proxy_at(3.7, 5.2, 3.0);
+        let mut update = |column, row, elevation| {
+            model.update(&grid, &SQUARE, &GridPoint::new(column, row, elevation)).feature
+        };
+        assert_eq!(update(3.7, 5.2, elevation), came_by);
+        assert_eq!(update(4.7, 5.3, -0.5), Feature::Free, "it fell in");
+        assert_eq!(update(3.7, 5.2, -0.5), Feature::Free, "the ground was met from below");
+    }
+}
+
+#[test]
+fn an_edge_with_a_hole_on_either_side_is_no_way_down() {
+    // A deep sample east of (5, 5), close to the hand, with no ground beside the way to it.
+    let grid = grid(11, 11, false, |column, row| match (column, row) {
+        (5, 4) | (6, 6) => f64::NAN,
+        (6, 5) => -100.0,
+        _ => 0.0,
+    });
+    let mut model = proxy_at(4.9, 5.0, 3.0);
+    let contact = model.update(&grid, &SQUARE, &GridPoint::new(4.9, 5.0, -50.0));
+    assert_eq!(contact.proxy.elevation, 0.0, "{contact:?}");
+    assert_eq!((contact.proxy.columns(), contact.proxy.rows()), (4.9, 5.0));
+}
+
+#[test]
 fn the_border_of_the_map_holds_a_proxy_in_contact() {
     let grid = grid(11, 11, false, |_, _| 0.0);
     for (column, row) in [(14.0, 5.3), (-4.0, 5.3), (5.3, 14.0), (5.3, -4.0), (-9.0, 13.0)] {
