@@ -6,7 +6,8 @@ from dataclasses import dataclass
 
 import bpy
 
-from ..terrain.kept import recall
+from ..terrain.progress import progress
+from ..terrain.undone import undone_on_failure
 from ..touch.live import Recording, live
 from ..touch.placement import Placement
 from ..touch.recorder import Recorder
@@ -46,16 +47,19 @@ def start_recording(context: bpy.types.Context) -> None:
     terrain = touch.terrain.find()
     if terrain is None:
         raise RecordingError("The terrain is gone from the scene: import it again.")
+    scene = touch.scene.find()
+    if scene is None:
+        raise RecordingError("The scene in which touch was started is gone: start it again.")
     collect_ticks(touch)
-    render = context.scene.render
     live.recording = Recording(
         session=touch.session,
         recorder=Recorder(),
         grid=touch.grid,
         surface=touch.surface,
-        placement=Placement.of(terrain, recall(terrain).frame),
-        start_frame=context.scene.frame_current,
-        frames_per_second=render.fps / render.fps_base,
+        scene=touch.scene,
+        terrain=touch.terrain,
+        placement=Placement.of(terrain, touch.frame),
+        start_frame=scene.frame_current,
         dropped_before=touch.session.statistics().dropped,
     )
 
@@ -73,6 +77,19 @@ def stop_recording(context: bpy.types.Context, *, trail: bool = True) -> Take:
         raise RecordingError("No take is being recorded.")
     if not len(recording.recorder):
         raise RecordingError("The take is empty: nothing was written.")
-    take, keyframes = add_take(context, recording)
-    drawn = add_trail(context, recording) if trail else None
+    scene = recording.scene.find() or context.scene
+    if scene is None:
+        raise RecordingError("The scene in which the take was recorded is gone, and no other one is open.")
+    placement = _placement(recording)
+    with progress(context) as tell, undone_on_failure():
+        take, keyframes = add_take(scene, recording, placement)
+        tell(0.1)
+        drawn = add_trail(scene, recording, placement, tell) if trail else None
     return Take(take, drawn, keyframes, recording.recorder.seconds, recording.dropped)
+
+
+def _placement(recording: Recording) -> Placement:
+    """Find where the terrain stands now: it may have been moved while the hand was on it."""
+    terrain = recording.terrain.find()
+    now = Placement.of(terrain, recording.placement.frame) if terrain is not None else recording.placement
+    return now if now.is_usable else recording.placement

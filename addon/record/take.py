@@ -6,16 +6,23 @@ import bpy
 
 from ..touch.cursor import SIZE, TAKE, shape_mesh
 from ..touch.live import Recording
+from ..touch.placement import Placement
 from .curves import ensure_fcurve, write_keys
 from .resample import keys_before_jumps, ticks_at_frames
 
 NAME = "Touch Take"
 
 
-def add_take(context: bpy.types.Context, recording: Recording) -> tuple[bpy.types.Object, int]:
-    """Make the object; gives it and the number of keyframes on each of its three curves."""
-    columns, placement = recording.recorder.columns, recording.placement
-    felt = ticks_at_frames(columns["time"], recording.frames_per_second)
+def add_take(
+    scene: bpy.types.Scene, recording: Recording, placement: Placement
+) -> tuple[bpy.types.Object, int]:
+    """Make the object, at the scene's present frame rate.
+
+    Returns:
+        The object, and the number of keyframes on each of its three curves.
+    """
+    columns = recording.recorder.columns
+    felt = ticks_at_frames(columns["time"], scene.render.fps / scene.render.fps_base)
     east = [columns["proxy_east"][tick] for tick in felt]
     places = [
         placement.to_scene(
@@ -26,9 +33,9 @@ def add_take(context: bpy.types.Context, recording: Recording) -> tuple[bpy.type
     held = keys_before_jumps([placement.frame.turns(metres) for metres in east])
     frames = [float(recording.start_frame + number) for number in range(len(felt))]
 
-    take = _object(context, recording)
+    take = _object(scene, recording, placement)
     # So that the take plays to its end; a longer range that was chosen stays.
-    context.scene.frame_end = max(context.scene.frame_end, recording.start_frame + len(felt) - 1)
+    scene.frame_end = max(scene.frame_end, recording.start_frame + len(felt) - 1)
     action = bpy.data.actions.new(take.name)
     take.animation_data_create().action = action
     for axis in range(3):
@@ -37,11 +44,11 @@ def add_take(context: bpy.types.Context, recording: Recording) -> tuple[bpy.type
     return take, len(felt)
 
 
-def _object(context: bpy.types.Context, recording: Recording) -> bpy.types.Object:
+def _object(scene: bpy.types.Scene, recording: Recording, placement: Placement) -> bpy.types.Object:
     """Make a cone like the cursor in contact, in a colour of its own; its tip is the point that moved."""
     take = bpy.data.objects.new(NAME, shape_mesh(TAKE))
-    size = SIZE * recording.placement.longest_side(recording.grid.layout)
+    size = SIZE * placement.longest_side(recording.grid.layout)
     take.scale = (size, size, size)
-    take.rotation_euler = recording.placement.matrix.to_euler()
-    context.scene.collection.objects.link(take)
+    take.rotation_euler = placement.rotation.to_euler()
+    scene.collection.objects.link(take)
     return take

@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+import math
+
 import bpy
 import numpy as np
 
 from ..terrain.frame import map_size
 from ..terrain.material import Colour, Ramp, ramp_material
 from ..terrain.mesh import triangle_mesh
+from ..terrain.progress import Tell
 from ..touch.live import Recording
-from .trail_path import Tube, contact_trails, tube
+from ..touch.placement import Placement
+from .trail_path import Numbers, contact_trails
+from .tube import Tube, tube
 
 NAME = "Touch Trail"
 
@@ -27,22 +32,27 @@ COLOURS: tuple[tuple[float, Colour], ...] = (
 """From a light to a strong touch: none of them is a colour of the terrain."""
 
 
-def add_trail(context: bpy.types.Context, recording: Recording) -> bpy.types.Object | None:
+def add_trail(
+    scene: bpy.types.Scene, recording: Recording, placement: Placement, tell: Tell
+) -> bpy.types.Object | None:
     """Make the trail's object; ``None`` where nothing was touched."""
-    frame, grid, surface = recording.placement.frame, recording.grid, recording.surface
+    frame, grid, surface = placement.frame, recording.grid, recording.surface
     radius = RADIUS * max(map_size(grid.layout))
 
-    def ground(east: float, north: float) -> float | None:
-        heights = (surface.height_at(east, north), grid.elevation_at(east, north))
-        return max((height for height in heights if height is not None), default=None)
+    def ground(east: Numbers, north: Numbers) -> Numbers:
+        real = map(grid.elevation_at, east.tolist(), north.tolist())
+        heights = np.fromiter((math.nan if height is None else height for height in real), float, len(east))
+        return np.asarray(np.fmax(surface.heights_at(east, north), heights))
 
-    trails = list(contact_trails(recording.recorder, frame, ground, spacing=radius))
+    trails = contact_trails(recording.recorder, frame, ground, spacing=radius)
+    tell(0.4)
     if not trails:
         return None
     shape = tube(trails, frame, radius * frame.units_per_metre)
+    tell(0.6)
     trail = bpy.data.objects.new(NAME, _mesh(shape))
-    trail.matrix_world = recording.placement.matrix
-    context.scene.collection.objects.link(trail)
+    trail.matrix_world = placement.matrix
+    scene.collection.objects.link(trail)
     return trail
 
 

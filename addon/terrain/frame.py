@@ -4,10 +4,18 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import TYPE_CHECKING, TypeVar
 
 from proxygraph import GridLayout
 
+if TYPE_CHECKING:
+    import numpy as np
+    import numpy.typing as npt
+
 Point = tuple[float, float, float]
+
+Metres = TypeVar("Metres", float, "npt.NDArray[np.float64]")
+"""One place, or many at once."""
 
 LONGEST_SIDE = 10.0
 """Blender units: large enough to work with, small enough for the default clip distances."""
@@ -30,7 +38,7 @@ class TerrainFrame:
     turn: float | None
     """Metres once around the planet; ``None`` on a map with edges."""
 
-    def to_object(self, east: float, north: float, up: float) -> Point:
+    def to_object(self, east: Metres, north: Metres, up: Metres) -> tuple[Metres, Metres, Metres]:
         """Object coordinates of a terrain place; east runs on beyond the map and is brought back."""
         return (
             (self.on_map(east) - self.east) * self.units_per_metre,
@@ -46,7 +54,7 @@ class TerrainFrame:
             self.up + z / (self.units_per_metre * self.exaggeration),
         )
 
-    def on_map(self, east: float) -> float:
+    def on_map(self, east: Metres) -> Metres:
         """Terrain metres east, brought back onto a map that wraps."""
         return east if self.turn is None else east % self.turn
 

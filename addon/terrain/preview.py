@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from bisect import bisect_right
 from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
 from proxygraph import Grid, GridLayout
+
+Numbers = npt.NDArray[np.float64]
 
 VERTEX_BUDGET = 250_000
 """Vertices that any machine draws smoothly."""
@@ -37,19 +38,20 @@ class PreviewSurface:
 
     def height_at(self, east: float, north: float) -> float | None:
         """Metres of the shown surface at a place on the map; ``None`` in a hole or off the map."""
-        column, along = _cell(self.cells.columns, east / self.layout.cell_width)
-        row, down = _cell(self.cells.rows, -north / self.layout.cell_height)
-        if column is None or row is None:
-            return None
+        height = self.heights_at(np.array([east]), np.array([north]))[0]
+        return float(height) if np.isfinite(height) else None
+
+    def heights_at(self, east: Numbers, north: Numbers) -> Numbers:
+        """Metres of the shown surface at places on the map; NaN in holes and off the map."""
+        column, along = _cells(self.cells.columns, east / self.layout.cell_width)
+        row, down = _cells(self.cells.rows, -north / self.layout.cell_height)
         north_west = self.heights[row, column]
         south_east = self.heights[row + 1, column + 1]
-        if along >= down:
-            north_east = self.heights[row, column + 1]
-            height = north_west + along * (north_east - north_west) + down * (south_east - north_east)
-        else:
-            south_west = self.heights[row + 1, column]
-            height = north_west + down * (south_west - north_west) + along * (south_east - south_west)
-        return float(height) if np.isfinite(height) else None
+        over_north = along >= down
+        # The third corner: north-east of the diagonal, or south-west of it.
+        corner = self.heights[np.where(over_north, row, row + 1), np.where(over_north, column + 1, column)]
+        first, second = np.where(over_north, along, down), np.where(over_north, down, along)
+        return np.asarray(north_west + first * (corner - north_west) + second * (south_east - corner))
 
 
 def preview_cells(layout: GridLayout, budget: int = VERTEX_BUDGET) -> PreviewCells:
@@ -102,10 +104,9 @@ def _every(step: int, last: int) -> tuple[int, ...]:
     return (*range(0, last, step), last)
 
 
-def _cell(kept: tuple[int, ...], place: float) -> tuple[int, float] | tuple[None, float]:
-    """Find the cell of the subset around a fractional column or row, and the share of it (0 to 1)."""
-    if not kept[0] <= place <= kept[-1]:
-        return None, 0.0
-    number = min(bisect_right(kept, place), len(kept) - 1) - 1
-    first, last = kept[number], kept[number + 1]
-    return number, (place - first) / (last - first)
+def _cells(kept: tuple[int, ...], places: Numbers) -> tuple[npt.NDArray[np.intp], Numbers]:
+    """Find the cells of the subset around fractional columns or rows, and the shares of them; NaN beside."""
+    lines = np.array(kept)
+    numbers = np.clip(np.searchsorted(lines, places, side="right") - 1, 0, len(kept) - 2)
+    shares = (places - lines[numbers]) / (lines[numbers + 1] - lines[numbers])
+    return numbers, np.where((places >= kept[0]) & (places <= kept[-1]), shares, np.nan)

@@ -10,9 +10,14 @@ from dataclasses import dataclass
 
 import bmesh
 import bpy
-from mathutils import Matrix, Vector
+from mathutils import Matrix, Quaternion, Vector
+
+from .own_object import mark_own, own_object
 
 NAME = "Haptic Cursor"
+
+MARK = "haptic_terrain_cursor"
+"""ID property of the cursor."""
 
 SIZE = 0.015
 """Of the terrain's longest side: seen at once, and small enough to point."""
@@ -44,19 +49,19 @@ TAKE = Shape("Haptic Take", (1.0, 0.75, 0.1, 1.0), _build_cone)
 CONTACT = Shape("Haptic Cursor Contact", (0.05, 0.85, 0.35, 1.0), _build_cone)
 
 
-def cursor_object(context: bpy.types.Context) -> bpy.types.Object:
-    """Find the cursor, or make it (also after a person deleted it, or an undo did)."""
-    cursor = bpy.data.objects.get(NAME)
+def cursor_object(scene: bpy.types.Scene) -> bpy.types.Object:
+    """Find a scene's cursor, or make it (also after a person deleted it, or an undo did)."""
+    cursor = own_object(scene, MARK)
     if cursor is None:
         cursor = bpy.data.objects.new(NAME, shape_mesh(FREE))
+        mark_own(cursor, MARK)
         cursor.hide_select = True
-    if cursor.name not in context.scene.collection.all_objects:
-        context.scene.collection.objects.link(cursor)
+        scene.collection.objects.link(cursor)
     return cursor
 
 
 def show_cursor(
-    cursor: bpy.types.Object, place: Vector, turn: Matrix, size: float, *, in_contact: bool
+    cursor: bpy.types.Object, place: Vector, turn: Quaternion, size: float, *, in_contact: bool
 ) -> None:
     """Move the cursor and give it its shape.
 
@@ -68,7 +73,7 @@ def show_cursor(
     mesh = shape_mesh(CONTACT if in_contact else FREE)
     if cursor.data is not mesh:
         cursor.data = mesh
-    cursor.matrix_world = Matrix.LocRotScale(place[:], turn.to_quaternion(), (size, size, size))
+    cursor.matrix_world = Matrix.LocRotScale(place[:], turn, (size, size, size))
 
 
 def shape_mesh(shape: Shape) -> bpy.types.Mesh:

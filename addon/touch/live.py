@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
+import bpy
 from proxygraph import Grid, Session
 
 from ..formats import Georeference
@@ -43,8 +44,10 @@ class Touch:
     georeference: Georeference
     frame: TerrainFrame
     surface: PreviewSurface
-    terrain: Handle
-    target: Handle | None
+    scene: Handle[bpy.types.Scene]
+    """Where touch was started: the cursor belongs there, whatever scene is looked at."""
+    terrain: Handle[bpy.types.Object]
+    target: Handle[bpy.types.Object] | None
     """The Empty; ``None`` where the device needs none."""
     workspace_width: float
     """Of the device, metres."""
@@ -59,9 +62,12 @@ class Recording:
     recorder: Recorder
     grid: Grid
     surface: PreviewSurface
+    scene: Handle[bpy.types.Scene]
+    """Where touch was started: the take goes there."""
+    terrain: Handle[bpy.types.Object]
     placement: Placement
+    """Of the terrain when the take began, for when it is gone at the end."""
     start_frame: int
-    frames_per_second: float
     dropped_before: int
     """Ticks that the session had lost when the take began."""
     dropped: int = 0
@@ -76,8 +82,11 @@ class Live:
     recording: Recording | None = None
     message: str = ""
     """Why touch ended by itself; empty where it did not."""
-    rendering: bool = field(default=False)
+    rendering: bool = False
     """Nothing is written to the scene while it is rendered."""
 
 
 live = Live()
+
+RENDERING = "A picture is being rendered: wait for its end"
+"""Why nothing can be added to the scene."""

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import bpy
-from mathutils import Matrix, Vector
+from mathutils import Matrix, Quaternion, Vector
 from proxygraph import GridLayout
 
 from ..terrain.frame import Point, TerrainFrame, map_size
@@ -23,6 +24,17 @@ class Placement:
         """Take the object's present place."""
         return Placement(frame, terrain.matrix_world.copy())
 
+    @property
+    def is_usable(self) -> bool:
+        """Whether scene places can be brought to the terrain: not where a scale is 0 or no number."""
+        try:
+            inverse = self.matrix.inverted()
+        except ValueError:
+            return False
+        return all(
+            math.isfinite(number) for matrix in (self.matrix, inverse) for row in matrix for number in row
+        )
+
     def to_scene(self, east: float, north: float, up: float) -> Vector:
         """Scene coordinates of a terrain place."""
         return self.matrix @ Vector(self.frame.to_object(east, north, up))
@@ -38,6 +50,14 @@ class Placement:
         scale = self.matrix.to_scale()
         stretched = abs(scale.z / scale.x) if scale.x and scale.z else 1.0
         return self.frame.exaggeration * stretched
+
+    @property
+    def rotation(self) -> Quaternion:
+        """How the object is turned. A mirrored one is taken unmirrored: its up stays up."""
+        axes = self.matrix.to_3x3().normalized()
+        if axes.determinant() < 0.0:
+            axes @= Matrix.Diagonal((-1.0, 1.0, 1.0))
+        return axes.to_quaternion()
 
     def longest_side(self, layout: GridLayout) -> float:
         """Of the map, Blender units in the scene."""

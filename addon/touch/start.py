@@ -3,23 +3,24 @@
 from __future__ import annotations
 
 import bpy
-from proxygraph import Grid, GridLayout, ScriptedDevice, Session, SessionError, SimulatedDevice, Window
+from proxygraph import Grid, ScriptedDevice, Session, SessionError, SimulatedDevice, Window
 
-from ..terrain.frame import map_centre, map_size, nearest_on_map
+from ..formats import FormatError
+from ..terrain.frame import Point
 from ..terrain.kept import KeptTerrain, is_terrain, recall
 from ..terrain.preview import preview_cells, preview_surface
+from ..terrain.undone import undone_on_failure
+from .error import TouchError
 from .handle import Handle
 from .live import Touch, live
 from .placement import Placement
-from .target import above_ground, add_target, target_object, to_workspace
-from .tick import tick
+from .stop import stop_touch
+from .target import above_ground, add_target, target_object, target_place
+from .tick import UNUSABLE, tick
 from .timer import start_timer
+from .workspace import to_workspace, whole_map
 
 Device = ScriptedDevice | SimulatedDevice
-
-
-class TouchError(RuntimeError):
-    """Touch cannot start; the text says what to do."""
 
 
 def start_touch(
@@ -45,46 +46,76 @@ def start_touch(
     if live.touch is not None:
         raise TouchError("Touch is already running: stop it before starting it again.")
     terrain = terrain or chosen_terrain(context)
+    with undone_on_failure():
+        try:
+            touch = _touch(context, terrain, device, window)
+            if on_the_clock:
+                touch.session.start()
+            live.touch, live.message = touch, ""
+            if on_the_clock:
+                start_timer()
+            tick()
+        except FormatError:
+            raise
+        except (ValueError, SessionError) as error:
+            stop_touch()
+            raise TouchError(f"Touch cannot start: {error}") from error
+        except BaseException:
+            # The hand must not stay on the terrain when the person is told that it is not there.
+            stop_touch()
+            raise
+        if live.touch is None:
+            raise TouchError(live.message)
+    return touch
+
+
+def _touch(
+    context: bpy.types.Context, terrain: bpy.types.Object, device: Device | None, window: Window | None
+) -> Touch:
+    """Make the session, not yet started.
+
+    Raises:
+        ValueError: naming what cannot be used.
+    """
+    scene = _open_scene(context)
     kept = recall(terrain)
     grid = kept.grid.open()
     context.view_layer.update()
     placement = Placement.of(terrain, kept.frame)
+    if not placement.is_usable:
+        raise ValueError(UNUSABLE)
     workspace = (device or SimulatedDevice()).workspace
-    window = window or _window(context, placement, grid, kept, workspace)
+    window = window or _window(scene, placement, grid, kept, workspace)
     target = None
     if device is None:
-        empty = target_object(context) or add_target(context, placement, window)
+        empty = target_object(scene) or add_target(context, placement, window)
         target = Handle.to(empty)
-        place = nearest_on_map(grid.layout, placement.to_terrain(empty.matrix_world.translation))
-        place = above_ground(place, grid, window)
+        place = above_ground(_place(empty, placement, grid), grid, window)
         device = SimulatedDevice(target=to_workspace(place, window, workspace[0]))
-    touch = Touch(
-        session=_session(grid, device, window),
+    return Touch(
+        session=Session(grid, device, window),
         grid=grid,
         georeference=kept.grid.georeference,
         frame=kept.frame,
         surface=preview_surface(grid, preview_cells(grid.layout, kept.vertex_budget)),
+        scene=Handle.to(scene),
         terrain=Handle.to(terrain),
         target=target,
         workspace_width=workspace[0],
     )
-    if on_the_clock:
-        try:
-            touch.session.start()
-        except SessionError as error:
-            raise TouchError(f"Touch cannot start: {error}") from error
-        start_timer()
-    live.touch = touch
-    live.message = ""
-    tick()
-    return touch
 
 
-def _session(grid: Grid, device: Device, window: Window) -> Session:
-    try:
-        return Session(grid, device, window)
-    except (ValueError, SessionError) as error:
-        raise TouchError(f"Touch cannot start: {error}") from error
+def _open_scene(context: bpy.types.Context) -> bpy.types.Scene:
+    if context.scene is None:
+        raise TouchError("No scene is open.")
+    return context.scene
+
+
+def _place(empty: bpy.types.Object, placement: Placement, grid: Grid) -> Point:
+    place = target_place(empty, placement, grid.layout)
+    if place is None:
+        raise ValueError(f"the location of {empty.name} is not a number; move it, or delete it.")
+    return place
 
 
 def chosen_terrain(context: bpy.types.Context) -> bpy.types.Object:
@@ -107,30 +138,23 @@ def chosen_terrain(context: bpy.types.Context) -> bpy.types.Object:
 
 
 def _window(
-    context: bpy.types.Context,
+    scene: bpy.types.Scene,
     placement: Placement,
     grid: Grid,
     kept: KeptTerrain,
     workspace: tuple[float, float, float],
 ) -> Window:
     """Lay the workspace over the whole map, or as wide as the person wants it around the Empty."""
-    width = context.scene.haptic_terrain.window_width * 1000.0  # the setting has kilometres
-    east, north = map_centre(grid.layout)
-    empty = target_object(context)
+    east, north, whole = whole_map(grid.layout, workspace)
+    width = scene.haptic_terrain.window_width * 1000.0  # the setting has kilometres
+    empty = target_object(scene)
     if width > 0.0 and empty is not None:
-        context.view_layer.update()
-        east, north, _up = placement.to_terrain(empty.matrix_world.translation)
+        east, north, _up = _place(empty, placement, grid)
     ground = grid.elevation_at(east, north)
     return Window(
         east,
         north,
         (kept.minimum + kept.maximum) / 2.0 if ground is None else ground,
-        width=width or _whole_map(grid.layout, workspace),
+        width=width or whole,
         exaggeration=placement.exaggeration,
     )
-
-
-def _whole_map(layout: GridLayout, workspace: tuple[float, float, float]) -> float:
-    """Find the width, in metres, with which the workspace holds the map in both directions."""
-    across, down = map_size(layout)
-    return max(across, down * workspace[0] / workspace[1])

@@ -2,27 +2,39 @@
 
 from __future__ import annotations
 
-import bpy
-from proxygraph import Grid, Window
+import math
 
-from ..terrain.frame import Point
+import bpy
+from proxygraph import Grid, GridLayout, Window
+
+from ..terrain.frame import Point, nearest_on_map
+from .own_object import mark_own, own_object
 from .placement import Placement
 
 NAME = "Touch Target"
+
+MARK = "haptic_terrain_target"
+"""ID property of the Empty."""
 
 CLEARANCE = 0.03
 """Above the ground where a hand begins, as a share of the window's width as it is seen."""
 
 
-def target_object(context: bpy.types.Context) -> bpy.types.Object | None:
-    """Find the Empty in this scene."""
-    target = bpy.data.objects.get(NAME)
-    return target if target is not None and target.name in context.scene.objects else None
+def target_object(scene: bpy.types.Scene) -> bpy.types.Object | None:
+    """Find the Empty in a scene."""
+    return own_object(scene, MARK)
+
+
+def target_place(empty: bpy.types.Object, placement: Placement, layout: GridLayout) -> Point | None:
+    """Terrain metres of the Empty, or of the map's edge nearest to it; ``None`` where they are no numbers."""
+    place = placement.to_terrain(empty.matrix_world.translation)
+    return nearest_on_map(layout, place) if all(map(math.isfinite, place)) else None
 
 
 def add_target(context: bpy.types.Context, placement: Placement, window: Window) -> bpy.types.Object:
     """Make the Empty above the middle of the window, ready to be dragged."""
     target = bpy.data.objects.new(NAME, None)
+    mark_own(target, MARK)
     across = window.width * placement.frame.units_per_metre * abs(placement.matrix.to_scale().x)
     target.empty_display_type = "SPHERE"
     target.empty_display_size = 0.01 * across
@@ -42,18 +54,3 @@ def above_ground(place: Point, grid: Grid, window: Window) -> Point:
     east, north, up = place
     ground = grid.elevation_at(east, north)
     return place if ground is None or up > ground else (east, north, ground + clearance(window))
-
-
-def to_workspace(place: Point, window: Window, width: float) -> Point:
-    """Workspace metres of a terrain place.
-
-    Args:
-        width: of the device's workspace, metres.
-    """
-    east, north, up = place
-    scale = width / window.width
-    return (
-        (east - window.east) * scale,
-        (north - window.north) * scale,
-        (up - window.up) * scale * window.exaggeration,
-    )

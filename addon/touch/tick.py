@@ -6,18 +6,22 @@ The timer calls this; so do scripts and tests, for in the background Blender's t
 from __future__ import annotations
 
 import math
+from contextlib import suppress
 
 import bpy
 from mathutils import Vector
-from proxygraph import State
+from proxygraph import SessionError, State, Window
 
-from ..terrain.frame import is_on_map, nearest_on_map
+from ..terrain.frame import is_on_map
 from ..terrain.view import redraw
 from .cursor import SIZE, cursor_object, show_cursor
 from .live import Readout, Touch, live
 from .placement import Placement
 from .stop import collect_ticks, stop_touch
-from .target import to_workspace
+from .target import target_place
+from .workspace import to_workspace
+
+UNUSABLE = "the terrain's location, rotation or scale cannot be used; give it a scale that is not 0."
 
 
 def tick() -> None:
@@ -30,17 +34,22 @@ def tick() -> None:
     if fault is not None:
         stop_touch(f"Touch stopped: {fault}")
         return
-    terrain = touch.terrain.find()
-    if terrain is None:
+    terrain, scene = touch.terrain.find(), touch.scene.find()
+    if terrain is None or scene is None:
         stop_touch("Touch stopped: the terrain is gone from the scene.")
         return
     placement = Placement.of(terrain, touch.frame)
-    _keep_exaggeration(touch, placement)
-    _follow_target(touch, placement)
+    if not placement.is_usable:
+        stop_touch(f"Touch stopped: {UNUSABLE}")
+        return
+    # As many commands may wait as the servo takes at a time: the next tick tells it the same, or better.
+    with suppress(SessionError):
+        _keep_exaggeration(touch, placement)
+        _follow_target(touch, placement)
     state = touch.session.state()
     touch.readout = _readout(touch, state)
     if not live.rendering:
-        _show(touch, placement, state)
+        _show(touch, scene, placement, state)
         redraw(bpy.context)
 
 
@@ -54,30 +63,28 @@ def _keep_exaggeration(touch: Touch, placement: Placement) -> None:
     window = touch.session.window
     if not math.isclose(window.exaggeration, placement.exaggeration, rel_tol=1e-4):
         touch.session.set_window(
-            type(window)(
+            Window(
                 window.east, window.north, window.up, width=window.width, exaggeration=placement.exaggeration
             )
         )
 
 
 def _follow_target(touch: Touch, placement: Placement) -> None:
-    """Pull the simulated hand to the Empty; where the Empty is gone, the hand stays."""
+    """Pull the simulated hand to the Empty; where the Empty is gone, or nowhere, the hand stays."""
     empty = touch.target.find() if touch.target is not None else None
-    if empty is None:
+    place = target_place(empty, placement, touch.grid.layout) if empty is not None else None
+    if place is None:
         return
-    place = placement.to_terrain(empty.matrix_world.translation)
-    place = nearest_on_map(touch.grid.layout, place)
     touch.session.set_target(*to_workspace(place, touch.session.window, touch.workspace_width))
 
 
-def _show(touch: Touch, placement: Placement, state: State) -> None:
+def _show(touch: Touch, scene: bpy.types.Scene, placement: Placement, state: State) -> None:
     """Move the cursor to the proxy."""
     east, north, up = state.proxy
     height = touch.surface.height_at(touch.frame.on_map(east), north)
     place: Vector = placement.to_scene(east, north, lifted(up, height))
     size = SIZE * placement.longest_side(touch.grid.layout)
-    cursor = cursor_object(bpy.context)
-    show_cursor(cursor, place, placement.matrix, size, in_contact=state.in_contact)
+    show_cursor(cursor_object(scene), place, placement.rotation, size, in_contact=state.in_contact)
 
 
 def _readout(touch: Touch, state: State) -> Readout:

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import bpy
 
-from ..terrain.kept import recall
+from ..terrain.kept import KeptError, recall
+from ..touch.error import TouchError
 from ..touch.live import Readout, live
 from ..touch.placement import Placement
-from ..touch.start import TouchError, chosen_terrain
+from ..touch.start import chosen_terrain
 from .import_operator import HAPTIC_TERRAIN_OT_import_grid
 from .record_operators import HAPTIC_TERRAIN_OT_record_start, HAPTIC_TERRAIN_OT_record_stop
 from .touch_operators import HAPTIC_TERRAIN_OT_touch_start, HAPTIC_TERRAIN_OT_touch_stop
@@ -35,7 +36,11 @@ class HAPTIC_TERRAIN_PT_terrain(bpy.types.Panel):
         if terrain is None:
             self.layout.operator(HAPTIC_TERRAIN_OT_import_grid.bl_idname, icon="IMPORT")
             return
-        kept = recall(terrain)
+        try:
+            kept = recall(terrain)
+        except KeptError as error:
+            _draw_message(self.layout, str(error))
+            return
         exaggeration = Placement.of(terrain, kept.frame).exaggeration
         column = self.layout.column(align=True)
         column.label(text=kept.grid.title, icon="WORLD")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import bpy
 
 from ..record.recording import RecordingError, start_recording, stop_recording
-from ..touch.live import live
+from ..touch.live import RENDERING, live
 from .operator_status import OperatorStatus
 
 
@@ -53,7 +53,9 @@ class HAPTIC_TERRAIN_OT_record_stop(bpy.types.Operator):
         """Only while a take is being recorded, also when touch has ended by itself."""
         if live.recording is None:
             cls.poll_message_set("No take is being recorded")
-        return live.recording is not None
+        elif live.rendering:
+            cls.poll_message_set(RENDERING)
+        return live.recording is not None and not live.rendering
 
     def execute(self, context: bpy.types.Context) -> OperatorStatus:
         """Write the take."""

@@ -5,8 +5,10 @@ from __future__ import annotations
 import bpy
 
 from ..formats import FormatError
-from ..touch.live import live
-from ..touch.start import TouchError, chosen_terrain, start_touch
+from ..terrain.select import select_only
+from ..touch.error import TouchError
+from ..touch.live import RENDERING, live
+from ..touch.start import chosen_terrain, start_touch
 from ..touch.stop import stop_touch
 from ..touch.tick import tick
 from .operator_status import OperatorStatus
@@ -25,6 +27,9 @@ class HAPTIC_TERRAIN_OT_touch_start(bpy.types.Operator):
         if live.touch is not None:
             cls.poll_message_set("Touch is already running: stop it first")
             return False
+        if live.rendering:
+            cls.poll_message_set(RENDERING)
+            return False
         try:
             chosen_terrain(context)
         except TouchError as error:
@@ -39,7 +44,9 @@ class HAPTIC_TERRAIN_OT_touch_start(bpy.types.Operator):
         except (TouchError, FormatError) as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
-        self._offer_target(context)
+        target = touch.target.find() if touch.target is not None else None
+        if target is not None:
+            select_only(context, target)  # so that it can be dragged at once
         self.report({"INFO"}, f"Touching {touch.terrain.name}: move the Touch Target to move the hand")
         if bpy.app.background:
             self.report(
@@ -48,18 +55,6 @@ class HAPTIC_TERRAIN_OT_touch_start(bpy.types.Operator):
                 "the cursor, call bpy.ops.haptic_terrain.touch_update()",
             )
         return {"FINISHED"}
-
-    def _offer_target(self, context: bpy.types.Context) -> None:
-        """Select the Empty, so that it can be dragged at once."""
-        target = (
-            live.touch.target.find() if live.touch is not None and live.touch.target is not None else None
-        )
-        if target is None:
-            return
-        for other in context.selected_objects:
-            other.select_set(False)
-        target.select_set(True)
-        context.view_layer.objects.active = target
 
 
 class HAPTIC_TERRAIN_OT_touch_update(bpy.types.Operator):

@@ -21,6 +21,7 @@ class Extension:
     stop: ModuleType
     tick: ModuleType
     timer: ModuleType
+    workspace: ModuleType
 
 
 def enabled_extension() -> Extension:
@@ -39,4 +40,5 @@ def enabled_extension() -> Extension:
         stop=part("touch.stop"),
         tick=part("touch.tick"),
         timer=part("touch.timer"),
+        workspace=part("touch.workspace"),
     )

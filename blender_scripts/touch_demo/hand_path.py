@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
+from types import ModuleType
 
 from proxygraph import Grid, Window
 
@@ -31,6 +32,8 @@ SECONDS_PER_UPDATE = 0.001
 class Ground:
     """Places of the map in degrees, as the hand in the workspace meets them."""
 
+    laid: ModuleType
+    """The extension's ``touch.workspace``: how the device's workspace lies on the terrain."""
     grid: Grid
     west: float
     """Degrees east of the map's outer edge; and north, below."""
@@ -53,9 +56,10 @@ class Ground:
         """Where the hand (workspace metres) is at a stop; ``width`` is the workspace's."""
         east, north = self.terrain(stop.longitude, stop.latitude)
         height = self.grid.elevation_at(east, north)
-        scale = width / window.width
-        up = ((self.lowest if height is None else height) - window.up) * window.exaggeration * scale
-        return (east - window.east) * scale, (north - window.north) * scale, up - stop.press / 1000.0
+        x, y, z = self.laid.to_workspace(
+            (east, north, self.lowest if height is None else height), window, width
+        )
+        return x, y, z - stop.press / 1000.0
 
 
 @dataclass(frozen=True)
@@ -76,13 +80,12 @@ def windows(
 ) -> list[Window]:
     """The whole map for the swipes; the landforms for exploring."""
     layout = ground.grid.layout
-    east, south = (layout.columns - 1) * layout.cell_width, -(layout.rows - 1) * layout.cell_height
-    whole = max(east, -south * workspace[0] / workspace[1])
+    east, north, whole = ground.laid.whole_map(layout, workspace)
     middle_up = 0.5 * (ground.lowest + ground.highest)
     stops = [ground.terrain(stop.longitude, stop.latitude) for stop in tour.stops]
     explored = min(whole, tour.window_degrees * ground.cells_per_degree * layout.cell_width)
     return [
-        Window(0.5 * east, 0.5 * south, middle_up, width=whole, exaggeration=exaggeration),
+        Window(east, north, middle_up, width=whole, exaggeration=exaggeration),
         Window(
             0.5 * (min(stop[0] for stop in stops) + max(stop[0] for stop in stops)),
             0.5 * (min(stop[1] for stop in stops) + max(stop[1] for stop in stops)),

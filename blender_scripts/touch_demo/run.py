@@ -66,7 +66,7 @@ def stage(extension: Extension, grid_path: Path, preview_vertices: int, say: Cal
     if terrain is None or extent is None:
         raise GridRefusedError("the import left no terrain")
     say(f"{kept.grid.title}: {kept.grid.samples:,} samples, {len(terrain.data.vertices):,} of them shown")
-    return Stage(extension, tour, terrain, kept, extent, _ground(kept, grid, extent))
+    return Stage(extension, tour, terrain, kept, extent, _ground(extension, kept, grid, extent))
 
 
 def run(staged: Stage, folder: Path, say: Callable[[str], None]) -> str:
@@ -97,9 +97,10 @@ def _empty_scene() -> None:
         bpy.data.objects.remove(thing)
 
 
-def _ground(kept: Any, grid: Grid, extent: GridRange) -> Ground:
+def _ground(extension: Extension, kept: Any, grid: Grid, extent: GridRange) -> Ground:
     georeference = kept.grid.georeference
     return Ground(
+        laid=extension.workspace,
         grid=grid,
         west=georeference.westernmost_longitude,
         north=georeference.maximum_latitude,

@@ -206,7 +206,7 @@ def test_the_trail_lies_on_the_preview_and_on_the_ground(tmp_path: Path) -> None
     touch = start(device=sweep())
     record(touch, 2000)
     trail = bpy.data.objects["Touch Trail"]
-    sides = module("record.trail_path").SIDES
+    sides = module("record.tube").SIDES
     middles = positions(trail.data).reshape(-1, sides, 3).mean(axis=1)
     assert len(middles) > 100
     for x, y, z in middles.tolist():

@@ -83,7 +83,7 @@ def test_a_device_that_serves_another_session_is_refused(terrain: bpy.types.Obje
     device = sweep()
     start(device=device)
     bpy.ops.haptic_terrain.touch_stop()
-    with pytest.raises(module("touch.start").TouchError, match="cannot start"):
+    with pytest.raises(module("touch.error").TouchError, match="cannot start"):
         start(device=device)
     assert live().touch is None
 
@@ -432,7 +432,7 @@ def test_the_cursor_is_brought_back_at_the_seam_of_a_planet(tmp_path: Path) -> N
 
 def test_hand_and_goal_agree_with_the_window(terrain: bpy.types.Object) -> None:
     touch = start(device=sweep())
-    to_workspace = module("touch.target").to_workspace
+    to_workspace = module("touch.workspace").to_workspace
     for _ in range(5):
         step(touch, 200)
         state = touch.session.state()

@@ -15,6 +15,8 @@ from proxygraph import Grid, GridLayout, Window
 from touch_demo.hand_path import SWIPE_CELLS_PER_UPDATE, Ground, HandPath, hand_path, windows
 from touch_demo.tour import MARS, SYNTHETIC, Tour, tour_of
 
+from addon.touch import workspace
+
 ROOT = Path(__file__).resolve().parents[2]
 WORKSPACE = (0.16, 0.12, 0.12)
 EXAGGERATION = 15.0
@@ -39,7 +41,7 @@ def ground() -> Ground:
     heights = np.zeros((rows, columns), dtype=">i2")
     heights[300:320] = 8000
     layout = GridLayout(rows, columns, cell_width=cell, cell_height=cell, wraps=True)
-    return Ground(Grid.from_buffer(heights.tobytes(), layout), 0.0, 90.0, 4.0, 0.0, 8000.0)
+    return Ground(workspace, Grid.from_buffer(heights.tobytes(), layout), 0.0, 90.0, 4.0, 0.0, 8000.0)
 
 
 @pytest.fixture(scope="module", params=[MARS, SYNTHETIC], ids=["mars", "synthetic"])
