@@ -63,6 +63,8 @@ mod tests {
     }
 
     proptest! {
+        #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
         #[test]
         fn every_deadline_is_served_or_missed_and_none_twice(
             delays in prop::collection::vec((0u64..4_000_000, 0u64..6_000_000), 1..200),

@@ -142,6 +142,8 @@ mod tests {
     }
 
     proptest! {
+        #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
         #[test]
         fn quantiles_agree_with_sorted_times(
             mut times in prop::collection::vec((0.0f64..10.0).prop_map(|e| 10f64.powf(e) as u64), 1..300),

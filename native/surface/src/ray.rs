@@ -156,9 +156,8 @@ impl Path {
             clip(&mut part, self.start[0], self.step[0], self.column, field.columns());
         }
         // An end on the very border is on the map, whatever the divisions above rounded to.
-        let entry = if starts_on_map { 0.0 } else { part.0 };
         let leave = if ends_on_map { 1.0 } else { part.1 };
-        (entry <= leave).then_some((entry, leave))
+        (part.0 <= leave).then_some((part.0, leave))
     }
 }
 
@@ -255,9 +254,13 @@ impl<'path> CellWalk<'path> {
     }
 }
 
-/// The cell that a coordinate going by `step` is in or enters at `position`, where rounding may
-/// have left the position a little beside a border it is on.
+/// The cell, counted from the one that the path begins in, that a coordinate going by `step` is in
+/// or enters at `position`, where rounding may have left the position a little beside a border.
 fn cell_entered(position: f64, step: f64) -> i64 {
+    if step == 0.0 {
+        // It stays in the cell that it begins in, also along the map's very border.
+        return 0;
+    }
     let nearest = position.round();
     let on_border = (position - nearest).abs() <= 4.0 * f64::EPSILON * position.abs().max(1.0);
     if !on_border {

@@ -125,3 +125,18 @@ fn a_ray_from_beyond_a_border_that_ends_on_it_knows_its_side() {
         }
     }
 }
+
+#[test]
+fn a_ray_from_beyond_the_map_along_its_very_border_meets_it() {
+    let grid = flat();
+    for (from, to) in [
+        ((11.0, -3.0), (11.0, 6.0)),
+        ((0.0, -3.0), (0.0, 6.0)),
+        ((-3.0, 11.0), (6.0, 11.0)),
+        ((-3.0, 0.0), (6.0, 0.0)),
+    ] {
+        let (from, to) = (GridPoint::new(from.0, from.1, 5.0), GridPoint::new(to.0, to.1, -1.0));
+        let ray = end(&grid, from, Start::Space(Side::Unknown), to);
+        assert!(matches!(ray, RayEnd::Hit(..)), "{ray:?} from {from:?} to {to:?}");
+    }
+}

@@ -142,7 +142,6 @@ impl ProxyGraph {
                 FreeSpace::Blocked(triangle)
             }
             RayEnd::Clear(side) => {
-                let side = if target == search.goal { side } else { Side::Unknown };
                 (self.position, self.place) = (search.goal, Place::Space(side));
                 FreeSpace::Ended
             }
