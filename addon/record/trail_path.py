@@ -15,9 +15,6 @@ from ..touch.recorder import Recorder
 MOST_POINTS = 100_000
 """Of all trails of a take: ten minutes of wild circles would have a million, and millions of vertices."""
 
-WIDENING = 1.1
-"""More than the points are too many: the way between points that are farther apart is a little shorter."""
-
 Numbers = npt.NDArray[np.float64]
 
 Ground = Callable[[Numbers, Numbers], Numbers]
@@ -42,28 +39,21 @@ def contact_trails(
     Args:
         spacing: terrain metres. A tick nearer than this to the last point that was kept is left out,
             farther ones are joined along the ground.
-        most: points of all trails together; the spacing is widened where there would be more.
+        most: points of all trails together; they are farther apart where there would be more.
     """
     columns = {name: np.frombuffer(values) for name, values in recorder.columns.items()}
     places = np.stack([columns[f"proxy_{axis}"] for axis in ("east", "north", "up")], axis=1)
     force = np.sqrt(sum(columns[f"force_{axis}"] ** 2 for axis in "xyz"))
-    touches = list(_touches(columns["feature"] != 0.0, places[:, 0], frame))
-    while True:
-        kept = [_kept(places[first:last, :2], spacing) + first for first, last in touches]
-        # A single point has no direction to draw.
-        steps = {
-            number: _steps(places[ticks], spacing) for number, ticks in enumerate(kept) if len(ticks) > 1
-        }
-        points = sum(int(counts.sum()) + 1 for counts in steps.values())
-        if points <= most:
-            break
-        spacing *= WIDENING * points / most
+    ways = []
+    for first, last in _touches(columns["feature"] != 0.0, places[:, 0], frame):
+        kept = _kept(places[first:last, :2], spacing) + first
+        if len(kept) > 1:  # a single point has no direction to draw
+            ways.append((kept, _distances(places[kept], spacing)))
+    points = sum(along[-1] + 1.0 for _kept_ticks, along in ways)
+    share = min(1.0, most / points) if ways else 1.0
     return [
-        Trail(
-            _lifted(_filled(places[kept[number]], counts), frame, ground),
-            _filled(force[kept[number]], counts),
-        )
-        for number, counts in steps.items()
+        Trail(_lifted(_filled(places[kept], along, share), frame, ground), _filled(force[kept], along, share))
+        for kept, along in ways
     ]
 
 
@@ -92,18 +82,18 @@ def _kept(places: Numbers, spacing: float) -> npt.NDArray[np.intp]:
     return np.array(kept)
 
 
-def _steps(places: Numbers, spacing: float) -> npt.NDArray[np.int64]:
-    """Count the steps of at most ``spacing`` from each kept point to the next."""
+def _distances(places: Numbers, spacing: float) -> Numbers:
+    """Count the steps of about ``spacing`` from the first kept point to each, one at the least."""
     away = np.diff(places[:, :2], axis=0)
-    return np.ceil(np.hypot(away[:, 0], away[:, 1]) / spacing).astype(np.int64)
+    steps = np.maximum(1.0, np.ceil(np.hypot(away[:, 0], away[:, 1]) / spacing))
+    return np.concatenate(([0.0], np.cumsum(steps)))
 
 
-def _filled(values: Numbers, steps: npt.NDArray[np.int64]) -> Numbers:
-    """Put the steps between each value and the next, evenly."""
-    at = np.concatenate(([0], np.cumsum(steps)))
-    between = np.arange(at[-1] + 1)
+def _filled(values: Numbers, along: Numbers, share: float) -> Numbers:
+    """Put a value at every step, or at a share of them, evenly along the way."""
+    at = np.linspace(0.0, along[-1], max(2, int((along[-1] + 1.0) * share)))
     columns = values.reshape(len(values), -1).T
-    filled = np.stack([np.interp(between, at, column) for column in columns], axis=-1)
+    filled = np.stack([np.interp(at, along, column) for column in columns], axis=-1)
     return filled if values.ndim > 1 else filled[:, 0]
 
 

@@ -31,9 +31,8 @@ class Placement:
             inverse = self.matrix.inverted()
         except ValueError:
             return False
-        return all(
-            math.isfinite(number) for matrix in (self.matrix, inverse) for row in matrix for number in row
-        )
+        numbers = [number for matrix in (self.matrix, inverse) for row in matrix for number in row]
+        return all(map(math.isfinite, numbers)) and 0.0 < self.exaggeration < math.inf
 
     def to_scene(self, east: float, north: float, up: float) -> Vector:
         """Scene coordinates of a terrain place."""

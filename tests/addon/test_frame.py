@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from proxygraph import GridLayout
 
 from tests.addon.scene import import_grid, module
 from tests.formats.megdr_pair import MegdrPair, planet, rough
@@ -29,6 +30,22 @@ def _update() -> None:
     import bpy
 
     bpy.context.view_layer.update()
+
+
+@pytest.mark.parametrize(
+    ("lowest", "highest", "up"), [(-8068.0, 21134.0, 0.0), (120.0, 900.0, 120.0), (-900.0, -5.0, -900.0)]
+)
+def test_elevation_0_is_the_scene_s_floor_where_the_map_has_it(
+    lowest: float, highest: float, up: float
+) -> None:
+    frame = module("terrain.frame").terrain_frame(
+        GridLayout(3, 3, cell_width=1.0, cell_height=1.0),
+        lowest,
+        highest,
+        units_per_metre=1.0,
+        exaggeration=2.0,
+    )
+    assert frame.to_object(0.0, 0.0, up)[2] == 0.0
 
 
 def test_an_undecimated_preview_lies_where_the_real_surface_lies(tmp_path: Path) -> None:

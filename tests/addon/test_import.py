@@ -294,6 +294,39 @@ def test_a_grid_named_from_the_working_folder_is_found_again_from_elsewhere(
     assert module("terrain.kept").recall(terrain).grid.open().elevation(0, 0) == pair.heights[0][0]
 
 
+def moved_together(pair: MegdrPair, tmp_path: Path) -> tuple[Path, Path]:
+    """Save a scene beside its grid, and give its place and its next one."""
+    old, new = tmp_path / "old", tmp_path / "new" / "deeper"
+    (old / "grids").mkdir(parents=True)
+    import_grid(pair.write(old / "grids"))
+    bpy.ops.wm.save_as_mainfile(filepath=str(old / "scene.blend"))
+    return old, new
+
+
+def terrain_of(blend: Path) -> bpy.types.Object:
+    bpy.ops.wm.open_mainfile(filepath=str(blend))
+    return next(thing for thing in bpy.data.objects if module("terrain.kept").is_terrain(thing))
+
+
+def test_a_scene_that_moved_with_its_grid_finds_it(pair: MegdrPair, tmp_path: Path) -> None:
+    old, new = moved_together(pair, tmp_path)
+    new.parent.mkdir()
+    old.rename(new)
+    kept = module("terrain.kept").recall(terrain_of(new / "scene.blend"))
+    assert kept.grid.open().elevation(0, 0) == pair.heights[0][0]
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "elsewhere.blend"))
+    kept = module("terrain.kept").recall(terrain_of(tmp_path / "elsewhere.blend"))
+    assert kept.grid.data_path == (new / "grids" / "grid.img").resolve()
+
+
+def test_a_scene_that_moved_without_its_grid_finds_it(pair: MegdrPair, tmp_path: Path) -> None:
+    old, new = moved_together(pair, tmp_path)
+    new.mkdir(parents=True)
+    (old / "scene.blend").rename(new / "scene.blend")
+    kept = module("terrain.kept").recall(terrain_of(new / "scene.blend"))
+    assert kept.grid.open().elevation(0, 0) == pair.heights[0][0]
+
+
 def test_the_terrain_is_named_synthetic_where_it_is(sample: Path) -> None:
     terrain = import_grid(sample)
     assert "synthetic" in terrain.name.lower()

@@ -12,7 +12,7 @@ import pytest
 from proxygraph import Window
 
 from tests.addon.hands import circles, sweep
-from tests.addon.scene import curves_of, import_grid, keys_of, module, positions
+from tests.addon.scene import contents, curves_of, import_grid, keys_of, module, positions
 from tests.formats.megdr_pair import MegdrPair, planet, rough
 
 
@@ -76,6 +76,58 @@ def test_keys_begin_at_the_current_frame_at_the_scene_s_rate(terrain: bpy.types.
     scene.frame_set(77)
     keys = keys_of(record(start(device=circles()), 2000))
     assert [frame for frame, _value, _kind in keys[0]] == [float(frame) for frame in range(77, 77 + 60)]
+
+
+def test_the_rate_is_frames_by_their_base(terrain: bpy.types.Object) -> None:
+    render = bpy.context.scene.render
+    render.fps, render.fps_base = 30, 2.0
+    assert len(keys_of(record(start(device=circles()), 1000))[0]) == 15
+
+
+def test_a_rate_that_was_changed_in_mid_take_is_that_of_the_keys(terrain: bpy.types.Object) -> None:
+    touch, render = start(device=circles()), bpy.context.scene.render
+    bpy.ops.haptic_terrain.record_start()
+    run(touch, 1000, timer_calls=3)
+    render.fps, render.fps_base = 60, 1.0
+    assert module("record.recording").stop_recording(bpy.context).keyframes == 60
+
+
+def test_a_take_lies_on_the_terrain_where_it_is_in_the_end(terrain: bpy.types.Object) -> None:
+    touch = start(device=sweep())
+    bpy.ops.haptic_terrain.record_start()
+    run(touch, 1000, timer_calls=3)
+    columns = module("touch.live").live.recording.recorder.columns
+    felt = [columns[f"proxy_{axis}"][0] for axis in ("east", "north", "up")]
+    terrain.location = (30.0, -20.0, 4.0)
+    bpy.context.view_layer.update()
+    take = module("record.recording").stop_recording(bpy.context)
+    first = [axis[0][1] for axis in keys_of(take.take)]
+    assert first == pytest.approx(np.add(touch.frame.to_object(*felt), (30.0, -20.0, 4.0)), abs=1e-4)
+    assert take.trail.matrix_world.translation[:] == pytest.approx((30.0, -20.0, 4.0))
+
+
+def test_a_take_of_a_terrain_that_is_gone_is_still_written(terrain: bpy.types.Object) -> None:
+    touch = start(device=circles())
+    bpy.ops.haptic_terrain.record_start()
+    run(touch, 1000, timer_calls=3)
+    bpy.data.objects.remove(terrain)
+    assert module("record.recording").stop_recording(bpy.context).keyframes == 24
+
+
+def test_a_take_that_cannot_be_written_leaves_nothing_half_done(
+    terrain: bpy.types.Object, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def fail(*_arguments: object, **_named: object) -> None:
+        raise MemoryError
+
+    monkeypatch.setattr(module("record.trail"), "tube", fail)
+    touch = start(device=sweep())
+    bpy.ops.haptic_terrain.record_start()
+    run(touch, 1000, timer_calls=3)
+    before = contents()
+    with pytest.raises(MemoryError):
+        module("record.recording").stop_recording(bpy.context)
+    assert contents() == before
 
 
 def test_each_key_is_a_place_that_was_felt(terrain: bpy.types.Object) -> None:
@@ -192,6 +244,15 @@ def test_what_was_felt_before_recording_is_left_out(terrain: bpy.types.Object) -
     bpy.ops.haptic_terrain.record_start()
     run(touch, 1000, timer_calls=2)
     assert module("record.recording").stop_recording(bpy.context).keyframes == 24
+
+
+def test_a_take_that_lost_nothing_says_so(terrain: bpy.types.Object) -> None:
+    touch = start(device=circles())
+    touch.session.step(60_000 + 77)  # lost before the take, and none of its business
+    bpy.ops.haptic_terrain.record_start()
+    assert module("touch.live").live.recording.dropped == 0
+    run(touch, 100, timer_calls=1)
+    assert module("record.recording").stop_recording(bpy.context).dropped == 0
 
 
 def test_lost_ticks_are_reported(terrain: bpy.types.Object) -> None:

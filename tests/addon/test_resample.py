@@ -22,6 +22,15 @@ def test_a_frame_that_ends_with_the_ticks_has_its_key() -> None:
     assert len(module("record.resample").ticks_at_frames(times, 25.0)) == 26
 
 
+@pytest.mark.parametrize("frames", [24.0, 25.0, 30.0, 60.0])
+def test_rounding_takes_no_frame_away(frames: float) -> None:
+    chosen = module("record.resample").ticks_at_frames
+    for first in range(1, 200):
+        seconds = 3
+        times = [tick / 1000.0 for tick in range(first, first + seconds * 1000 + 1)]
+        assert len(chosen(times, frames)) == seconds * int(frames) + 1
+
+
 def test_missed_ticks_hold_the_nearest_one() -> None:
     times = [0.0, 0.001, 0.002, 0.500, 0.501]
     assert module("record.resample").ticks_at_frames(times, 10.0) == [0, 2, 2, 3, 3, 3]

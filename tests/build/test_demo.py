@@ -15,9 +15,13 @@ from proxygraph import Grid, GridLayout, Window
 from touch_demo.hand_path import SWIPE_CELLS_PER_UPDATE, Ground, HandPath, hand_path, windows
 from touch_demo.tour import MARS, SYNTHETIC, Tour, tour_of
 
-from addon.touch import workspace
-
 ROOT = Path(__file__).resolve().parents[2]
+
+if str(ROOT) not in sys.path:
+    sys.path.append(str(ROOT))
+
+from addon.touch import workspace  # noqa: E402
+
 WORKSPACE = (0.16, 0.12, 0.12)
 EXAGGERATION = 15.0
 
