@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import atexit
 import tomllib
 from pathlib import Path
 
@@ -54,3 +55,20 @@ def test_everything_is_taken_back_in_reverse_order() -> None:
     assert not hasattr(bpy.types.Scene, "haptic_terrain")
     after = {name: len(getattr(bpy.app.handlers, name)) for name in handlers}
     assert after == {name: count - 1 for name, count in handlers.items()}
+
+
+def test_touch_also_ends_when_python_does(monkeypatch: pytest.MonkeyPatch) -> None:
+    import addon_utils
+    from enable_addon import MODULE, enable
+
+    from tests.addon.scene import module
+
+    timer, registered = module("touch.timer"), []
+    addon_utils.disable(MODULE)
+    # Some versions of Blender quit without disabling extensions, and then hang or crash on a timer.
+    monkeypatch.setattr(atexit, "register", registered.append)
+    monkeypatch.setattr(atexit, "unregister", registered.remove)
+    enable()
+    assert module("touch.timer")._quit in registered
+    addon_utils.disable(MODULE)
+    assert timer._quit not in registered

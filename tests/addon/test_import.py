@@ -315,7 +315,9 @@ def test_a_scene_that_moved_with_its_grid_finds_it(pair: MegdrPair, tmp_path: Pa
     kept = module("terrain.kept").recall(terrain_of(new / "scene.blend"))
     assert kept.grid.open().elevation(0, 0) == pair.heights[0][0]
     bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "elsewhere.blend"))
-    kept = module("terrain.kept").recall(terrain_of(tmp_path / "elsewhere.blend"))
+    # Only what was saved as the whole path leads back from here.
+    (tmp_path / "elsewhere.blend").rename(new / "alone.blend")
+    kept = module("terrain.kept").recall(terrain_of(new / "alone.blend"))
     assert kept.grid.data_path == (new / "grids" / "grid.img").resolve()
 
 

@@ -52,7 +52,7 @@ print("MESSAGE", live.message)
 
 
 def run(
-    script: str, label: Path, home: Path, *options: str, resources: Path | None = None, first: str = ""
+    script: str, label: Path, home: Path, *options: str, resources: Path | None = None
 ) -> subprocess.CompletedProcess[str]:
     """Run a script in a Blender of its own whose home folder is watched."""
     environment = {
@@ -67,7 +67,7 @@ def run(
         "BLENDER_USER_RESOURCES": str(resources or home.parent / "resources"),
     }
     return subprocess.run(
-        [sys.executable, "-B", *options, "-c", first + BEGIN + script, str(label)],
+        [sys.executable, "-B", *options, "-c", BEGIN + script, str(label)],
         env=environment,
         capture_output=True,
         text=True,
@@ -133,15 +133,3 @@ def test_blender_quits_while_touching(label: Path, home: Path) -> None:
     )
     assert done.returncode == 0, done.stderr
     assert "TOUCHING True" in done.stdout
-
-
-def test_touch_and_its_timer_have_ended_before_blender_quits(label: Path, home: Path) -> None:
-    first = """
-import atexit
-def look():
-    print("AT THE END", live.touch, bpy.app.timers.is_registered(part("touch.timer")._run))
-atexit.register(look)  # called after everything that is registered later
-"""
-    done = run("bpy.ops.haptic_terrain.touch_start()", label, home, first=first)
-    assert done.returncode == 0, done.stderr
-    assert "AT THE END None False" in done.stdout
