@@ -63,7 +63,8 @@ def test_touch_also_ends_when_python_does(monkeypatch: pytest.MonkeyPatch) -> No
 
     from tests.addon.scene import module
 
-    timer, registered = module("touch.timer"), []
+    timer = module("touch.timer")
+    registered: list[object] = []
     addon_utils.disable(MODULE)
     # Some versions of Blender quit without disabling extensions, and then hang or crash on a timer.
     monkeypatch.setattr(atexit, "register", registered.append)
