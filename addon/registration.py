@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import bpy
 
+from .terrain import saving
 from .touch import timer
 from .ui import import_operator, panel, record_operators, settings, touch_operators
 
@@ -28,12 +29,14 @@ def register() -> None:
         bpy.utils.register_class(cls)
     bpy.types.Scene.haptic_terrain = bpy.props.PointerProperty(type=settings.HapticTerrainSettings)
     bpy.types.TOPBAR_MT_file_import.append(import_operator.draw_menu)  # type: ignore[arg-type]
+    saving.register()
     timer.register()
 
 
 def unregister() -> None:
     """Remove what ``register`` added."""
     timer.unregister()
+    saving.unregister()
     bpy.types.TOPBAR_MT_file_import.remove(import_operator.draw_menu)  # type: ignore[arg-type]
     del bpy.types.Scene.haptic_terrain
     for cls in reversed(CLASSES):

@@ -52,12 +52,8 @@ def start_recording(context: bpy.types.Context) -> None:
         raise RecordingError("The scene in which touch was started is gone: start it again.")
     collect_ticks(touch)
     live.recording = Recording(
-        session=touch.session,
+        touch=touch,
         recorder=Recorder(),
-        grid=touch.grid,
-        surface=touch.surface,
-        scene=touch.scene,
-        terrain=touch.terrain,
         placement=Placement.of(terrain, touch.frame),
         start_frame=scene.frame_current,
         dropped_before=touch.session.statistics().dropped,
@@ -77,7 +73,7 @@ def stop_recording(context: bpy.types.Context, *, trail: bool = True) -> Take:
         raise RecordingError("No take is being recorded.")
     if not len(recording.recorder):
         raise RecordingError("The take is empty: nothing was written.")
-    scene = recording.scene.find() or context.scene
+    scene = recording.touch.scene.find() or context.scene
     if scene is None:
         raise RecordingError("The scene in which the take was recorded is gone, and no other one is open.")
     placement = _placement(recording)
@@ -90,6 +86,6 @@ def stop_recording(context: bpy.types.Context, *, trail: bool = True) -> Take:
 
 def _placement(recording: Recording) -> Placement:
     """Find where the terrain stands now: it may have been moved while the hand was on it."""
-    terrain = recording.terrain.find()
+    terrain = recording.touch.terrain.find()
     now = Placement.of(terrain, recording.placement.frame) if terrain is not None else recording.placement
     return now if now.is_usable else recording.placement

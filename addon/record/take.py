@@ -47,7 +47,7 @@ def add_take(
 def _object(scene: bpy.types.Scene, recording: Recording, placement: Placement) -> bpy.types.Object:
     """Make a cone like the cursor in contact, in a colour of its own; its tip is the point that moved."""
     take = bpy.data.objects.new(NAME, shape_mesh(TAKE))
-    size = SIZE * placement.longest_side(recording.grid.layout)
+    size = SIZE * placement.longest_side(recording.touch.grid.layout)
     take.scale = (size, size, size)
     take.rotation_euler = placement.rotation.to_euler()
     scene.collection.objects.link(take)

@@ -36,7 +36,7 @@ def add_trail(
     scene: bpy.types.Scene, recording: Recording, placement: Placement, tell: Tell
 ) -> bpy.types.Object | None:
     """Make the trail's object; ``None`` where nothing was touched."""
-    frame, grid, surface = placement.frame, recording.grid, recording.surface
+    frame, grid, surface = placement.frame, recording.touch.grid, recording.touch.surface
     radius = RADIUS * max(map_size(grid.layout))
 
     def ground(east: Numbers, north: Numbers) -> Numbers:

@@ -58,13 +58,8 @@ class Touch:
 class Recording:
     """A take in the making; it outlives the session, so that a fault does not lose it."""
 
-    session: Session
+    touch: Touch
     recorder: Recorder
-    grid: Grid
-    surface: PreviewSurface
-    scene: Handle[bpy.types.Scene]
-    """Where touch was started: the take goes there."""
-    terrain: Handle[bpy.types.Object]
     placement: Placement
     """Of the terrain when the take began, for when it is gone at the end."""
     start_frame: int

@@ -34,6 +34,6 @@ def collect_ticks(touch: Touch) -> None:
     """Empty the session's ring: into the take while there is one, else to keep the ring from overflowing."""
     ticks = touch.session.drain()
     recording = live.recording
-    if recording is not None and recording.session is touch.session:
+    if recording is not None and recording.touch is touch:
         recording.recorder.add(ticks)
         recording.dropped = touch.session.statistics().dropped - recording.dropped_before

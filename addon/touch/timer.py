@@ -4,13 +4,11 @@ from __future__ import annotations
 
 import atexit
 from collections.abc import Callable
-from pathlib import Path
 from typing import Any
 
 import bpy
 from bpy.app.handlers import persistent
 
-from ..terrain.kept import remember_places
 from .live import live
 from .stop import stop_touch
 from .tick import tick
@@ -72,12 +70,6 @@ def _before_load(*_arguments: object) -> None:
 
 
 @persistent  # type: ignore[untyped-decorator]
-def _before_save(path: str, *_arguments: object) -> None:
-    if path:  # the start-up file has none
-        remember_places(Path(path))
-
-
-@persistent  # type: ignore[untyped-decorator]
 def _render_begins(*_arguments: object) -> None:
     live.rendering = True
 
@@ -91,7 +83,6 @@ def _handlers() -> list[tuple[list[Any], Callable[..., None]]]:
     handlers = bpy.app.handlers
     return [
         (handlers.load_pre, _before_load),
-        (handlers.save_pre, _before_save),
         (handlers.render_init, _render_begins),
         (handlers.render_complete, _render_ends),
         (handlers.render_cancel, _render_ends),

@@ -37,16 +37,10 @@ impl Frame {
         check::positive("workspace metres per row", metric.row)?;
         check::positive("workspace metres per metre of height", metric.up)?;
 
-        let columns = window.east() / layout.cell_width();
-        let rows = -window.north() / layout.cell_height();
-        check::finite("column under the window", columns)?;
-        check::finite("row under the window", rows)?;
-        Ok(Frame {
-            window,
-            layout: *layout,
-            metric,
-            origin: layout.grid_point([window.east(), window.north(), window.up()]),
-        })
+        let origin = layout.grid_point([window.east(), window.north(), window.up()]);
+        check::finite("column under the window", origin.columns())?;
+        check::finite("row under the window", origin.rows())?;
+        Ok(Frame { window, layout: *layout, metric, origin })
     }
 
     /// The window that this frame was made from.
@@ -69,11 +63,6 @@ impl Frame {
             self.origin.v - hand[1] / self.metric.row,
             self.origin.elevation + hand[2] / self.metric.up,
         )
-    }
-
-    /// Where a grid point lies in the workspace, metres.
-    pub fn workspace(&self, point: &GridPoint) -> [f64; 3] {
-        self.displacement(&self.origin, point)
     }
 
     /// The way from one grid point to another in the workspace, metres.
@@ -171,7 +160,7 @@ mod tests {
             exaggeration in 0.1f64..20.0, hand in prop::array::uniform3(-0.1f64..0.1),
         ) {
             let frame = frame(east, north, 0.0, width, exaggeration);
-            let back = frame.workspace(&frame.goal(hand));
+            let back = frame.displacement(&frame.goal([0.0; 3]), &frame.goal(hand));
             // The rounding of a fraction of a cell, or of as many cells as the hand moves, felt in
             // the workspace.
             let cells = 1.0 + 0.1 / frame.metric().column;

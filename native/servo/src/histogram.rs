@@ -61,11 +61,6 @@ impl Histogram {
         let counts = self.counts.iter().map(|count| count.load(Ordering::Relaxed)).collect();
         Distribution { counts }
     }
-
-    /// See [`Distribution::quantile`].
-    pub fn quantile(&self, quantile: f64) -> Option<u64> {
-        self.distribution().quantile(quantile)
-    }
 }
 
 /// A copy of a histogram at one moment.
@@ -121,14 +116,14 @@ mod tests {
 
     #[test]
     fn nothing_counted_has_no_quantile() {
-        assert_eq!(Histogram::new().quantile(0.5), None);
+        assert_eq!(Histogram::new().distribution().quantile(0.5), None);
     }
 
     #[test]
     fn times_beyond_the_longest_count_as_the_longest() {
         let histogram = Histogram::new();
         histogram.record(u64::MAX);
-        assert_eq!(histogram.quantile(1.0), Some(LONGEST_NS));
+        assert_eq!(histogram.distribution().quantile(1.0), Some(LONGEST_NS));
     }
 
     #[test]
@@ -136,9 +131,9 @@ mod tests {
         let histogram = Histogram::new();
         histogram.record(3);
         histogram.record(30);
-        assert_eq!(histogram.quantile(-1.0), Some(3));
-        assert_eq!(histogram.quantile(f64::NAN), Some(3));
-        assert_eq!(histogram.quantile(7.0), Some(30));
+        assert_eq!(histogram.distribution().quantile(-1.0), Some(3));
+        assert_eq!(histogram.distribution().quantile(f64::NAN), Some(3));
+        assert_eq!(histogram.distribution().quantile(7.0), Some(30));
     }
 
     proptest! {
@@ -156,7 +151,7 @@ mod tests {
             times.sort_unstable();
             let rank = ((quantile * times.len() as f64).ceil() as usize).max(1);
             let exact = times[rank - 1];
-            let found = histogram.quantile(quantile).unwrap();
+            let found = histogram.distribution().quantile(quantile).unwrap();
             prop_assert!(found >= exact);
             prop_assert!((found - exact) as f64 <= 0.07 * exact as f64);
         }

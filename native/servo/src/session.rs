@@ -86,7 +86,8 @@ pub struct Session {
     place: Place,
     grid: Arc<Grid>,
     window: Window,
-    workspace: [f64; 3],
+    /// Metres.
+    workspace_width: f64,
     stiffness: f64,
     max_force: f64,
     commands: Producer<Command>,
@@ -139,7 +140,7 @@ impl Session {
             place: Place::Here(Box::new(Engine::new(servo, ports))),
             grid,
             window,
-            workspace: capabilities.workspace,
+            workspace_width: capabilities.workspace[0],
             stiffness,
             max_force,
             commands,
@@ -226,7 +227,7 @@ impl Session {
 
     /// Lays the workspace elsewhere, from the next tick on. The proxy then begins anew at the hand.
     pub fn set_window(&mut self, window: Window) -> Result<(), SessionError> {
-        let frame = Frame::new(window, self.workspace[0], self.grid.layout())?;
+        let frame = Frame::new(window, self.workspace_width, self.grid.layout())?;
         self.command(Command::SetWindow(frame))?;
         self.window = window;
         Ok(())
@@ -264,11 +265,6 @@ impl Session {
             drained.extend(self.records.pop().ok());
         }
         drained
-    }
-
-    /// Width, depth and height that the hand can reach, metres.
-    pub fn workspace(&self) -> [f64; 3] {
-        self.workspace
     }
 
     /// Of the spring, N/m, after the device's limit.

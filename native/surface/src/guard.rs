@@ -88,14 +88,14 @@ mod unix {
         /// Registers `length` bytes at `start`, mapped from `file` (kept open by the caller).
         pub(crate) fn new(start: *const u8, length: usize, file: &File) -> Result<Self, TooMany> {
             install_handler();
-            let free = |slot: &&Slot| !slot.taken.swap(true, Ordering::AcqRel);
-            let slot = SLOTS.iter().find(free).ok_or(TooMany)?;
+            let take = |slot: &Slot| !slot.taken.swap(true, Ordering::AcqRel);
+            let number = SLOTS.iter().position(take).ok_or(TooMany)?;
+            let slot = &SLOTS[number];
             slot.damaged.store(false, Ordering::Relaxed);
             slot.file.store(file.as_raw_fd(), Ordering::Relaxed);
             slot.start.store(start as usize, Ordering::Relaxed);
             slot.end.store(start as usize + length, Ordering::Release);
-            let slot = SLOTS.iter().position(|other| std::ptr::eq(other, slot)).unwrap_or(0);
-            Ok(Self { slot })
+            Ok(Self { slot: number })
         }
 
         /// Whether a page of the mapping had to be replaced, or the file was seen to be cut.
@@ -163,11 +163,17 @@ mod unix {
         }
     }
 
-    /// Whether a signal's code is that of raise(). Only Linux tells it apart from kill().
+    /// Whether the code of a signal that this process sent itself is that of raise().
     #[cfg(target_os = "linux")]
-    const IS_RAISED: fn(libc::c_int) -> bool = |code| code == libc::SI_TKILL;
+    fn is_of_raise(code: libc::c_int) -> bool {
+        code == libc::SI_TKILL
+    }
+
+    /// Elsewhere raise() cannot be told from kill().
     #[cfg(not(target_os = "linux"))]
-    const IS_RAISED: fn(libc::c_int) -> bool = |_| true;
+    fn is_of_raise(_code: libc::c_int) -> bool {
+        true
+    }
 
     /// Whether this process raised the signal, rather than somebody who wants to end it.
     fn is_raised_by_itself(info: *const libc::siginfo_t) -> bool {
@@ -175,7 +181,7 @@ mod unix {
         let (code, sender) = unsafe { ((*info).si_code, (*info).si_pid()) };
         // SAFETY: getpid takes nothing and cannot fail.
         let own = sender == unsafe { libc::getpid() };
-        own && IS_RAISED(code)
+        own && is_of_raise(code)
     }
 
     /// Puts a page of zeros where the fault was, if that is inside a guarded mapping.
