@@ -1,5 +1,6 @@
 //! What every contact model takes and gives.
 
+use crate::proxy::Proxy;
 use surface::{Grid, GridPoint, Metric};
 
 /// What the proxy lies on.
@@ -20,6 +21,8 @@ pub enum Feature {
 pub struct Counters {
     /// Vertices visited by constrained minimisation (paper 4.4).
     pub vertices: u32,
+    /// Triangles that the surface walk looked at to find its way.
+    pub faces: u32,
     /// Free-space minimisations begun, each of them one collision test (paper 4.4).
     pub collision_tests: u32,
     /// Grid cells that the collision tests went through (paper 3.5).
@@ -60,9 +63,19 @@ pub trait ContactModel: Send {
     /// The model's name, as people choose it.
     fn name(&self) -> &'static str;
 
+    /// Where the proxy is.
+    fn proxy(&self) -> Proxy;
+
+    /// Goes on from where another model's proxy is, in contact where that is.
+    fn take_over(&mut self, proxy: Proxy);
+
     /// Puts the proxy there, out of contact. If that is inside the ground, it stays out of contact
-    /// until it has come out above.
-    fn place(&mut self, at: GridPoint);
+    /// until it has come out above. A point that is not finite changes nothing.
+    fn place(&mut self, at: GridPoint) {
+        if at.is_finite() {
+            self.take_over(Proxy::in_space(at));
+        }
+    }
 
     /// Moves the proxy toward `goal`, as near as the surface lets it, distances being measured by
     /// `metric`.

@@ -8,8 +8,13 @@
 //!
 //! This crate knows no device, clock, thread or Python.
 
+mod choice;
 mod contact;
+mod proxy;
 mod proxy_graph;
+mod weights;
 
+pub use choice::Model;
 pub use contact::{Contact, ContactModel, Counters, Feature};
+pub use proxy::{Place, Proxy};
 pub use proxy_graph::ProxyGraph;

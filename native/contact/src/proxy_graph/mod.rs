@@ -20,8 +20,10 @@
 mod ring;
 mod visited;
 
-use crate::contact::{Contact, ContactModel, Counters, Feature};
-use ring::{Minimum, Ring, Weights};
+use crate::contact::{Contact, ContactModel, Counters};
+use crate::proxy::{Place, Proxy};
+use crate::weights::Weights;
+use ring::{Minimum, Ring};
 use surface::lattice::{along_edges, clockwise, counterclockwise, face};
 use surface::ray::{RayEnd, Side, Start, cast};
 use surface::{Grid, GridPoint, Heightfield, Metric, Sample, Triangle, on_heightfield};
@@ -36,23 +38,6 @@ pub struct ProxyGraph {
     left: VisitedVertices,
     /// Vertices from which this update stepped over a far edge (paper 3.3).
     far_steps: VisitedVertices,
-}
-
-/// What the proxy lies on, precisely.
-#[derive(Clone, Copy, Debug)]
-enum Place {
-    Space(Side),
-    Face(Triangle),
-    /// Edge `k` of a vertex.
-    Edge {
-        column: i64,
-        row: i64,
-        k: usize,
-    },
-    Vertex {
-        column: i64,
-        row: i64,
-    },
 }
 
 /// How free-space minimisation went on.
@@ -276,10 +261,12 @@ impl ContactModel for ProxyGraph {
         "proxy_graph"
     }
 
-    fn place(&mut self, at: GridPoint) {
-        if at.is_finite() {
-            (self.position, self.place) = (at, Place::Space(Side::Unknown));
-        }
+    fn proxy(&self) -> Proxy {
+        Proxy { position: self.position, place: self.place }
+    }
+
+    fn take_over(&mut self, proxy: Proxy) {
+        (self.position, self.place) = (proxy.position, proxy.place);
     }
 
     fn update(&mut self, grid: &Grid, metric: &Metric, goal: &GridPoint) -> Contact {
@@ -291,17 +278,6 @@ impl ContactModel for ProxyGraph {
             });
         }
         Contact::new(self.position, self.place.feature(), goal, metric, counters)
-    }
-}
-
-impl Place {
-    fn feature(&self) -> Feature {
-        match self {
-            Self::Space(_) => Feature::Free,
-            Self::Face(_) => Feature::Face,
-            Self::Edge { .. } => Feature::Edge,
-            Self::Vertex { .. } => Feature::Vertex,
-        }
     }
 }
 

@@ -3,41 +3,9 @@
 //! Places are given in columns, rows and metres relative to the vertex. Planes and insides do not
 //! depend on how these are measured; only scalar products do, and they take the [`Weights`].
 
+use crate::weights::Weights;
 use surface::lattice::{EAST, SOUTH, along_edges, clockwise, counterclockwise, gradient, sector};
-use surface::{GridPoint, Heightfield, Metric, Sample};
-
-/// The metric of the workspace as weights of a scalar product over columns, rows and metres.
-///
-/// All are relative to the width of a cell: which point is nearest does not depend on the unit of
-/// length, so nothing overflows or vanishes however small or large the workspace is.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Weights {
-    row: f64,
-    up: f64,
-}
-
-impl Weights {
-    pub(super) fn new(metric: &Metric) -> Self {
-        let (row, up) = (metric.row / metric.column, metric.up / metric.column);
-        Self { row: row * row, up: up * up }
-    }
-
-    #[inline(always)]
-    fn product(&self, a: [f64; 3], b: [f64; 3]) -> f64 {
-        a[0] * b[0] + self.row * (a[1] * b[1]) + self.up * (a[2] * b[2])
-    }
-
-    #[inline(always)]
-    pub(super) fn squared(&self, a: [f64; 3]) -> f64 {
-        self.product(a, a)
-    }
-
-    /// The scalar product with every term positive: its rounding error is a few units in the last
-    /// place of this.
-    fn magnitude(&self, a: [f64; 3], b: [f64; 3]) -> f64 {
-        self.product(a.map(f64::abs), b.map(f64::abs))
-    }
-}
+use surface::{GridPoint, Heightfield, Sample};
 
 /// A vertex and its neighbours.
 pub(super) struct Ring {
@@ -251,6 +219,7 @@ fn beyond(goal: [f64; 3], edge: [f64; 3], share: f64) -> [f64; 3] {
 mod tests {
     use super::*;
     use proptest::prelude::*;
+    use surface::Metric;
 
     fn ring(rises: [f64; 6]) -> Ring {
         Ring { column: 0, row: 0, elevation: 0.0, rises }

@@ -1,0 +1,57 @@
+//! Choosing a contact model by name.
+
+use crate::contact::ContactModel;
+use crate::proxy_graph::ProxyGraph;
+
+/// A contact model with its knobs, before it is built.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Model {
+    /// The exact walk over the surface: the default.
+    SurfaceWalk {
+        /// The goal moves no further than this many cells at a time; `None` for one step an update.
+        sub_step: Option<f64>,
+    },
+    /// The paper's model (section 3).
+    ProxyGraph,
+    /// The god-object without constraint release (paper 2.3), for comparison.
+    GodObject,
+    /// The god-object with constraint release (paper 2.3).
+    GodObjectRelease,
+    /// A sphere (paper 2.2).
+    VirtualProxy {
+        /// Of the sphere, workspace metres.
+        radius: f64,
+    },
+}
+
+impl Default for Model {
+    fn default() -> Self {
+        Self::SurfaceWalk { sub_step: None }
+    }
+}
+
+impl Model {
+    /// The name that people choose it by.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Self::SurfaceWalk { .. } => "surface_walk",
+            Self::ProxyGraph => "proxy_graph",
+            Self::GodObject => "god_object",
+            Self::GodObjectRelease => "god_object_release",
+            Self::VirtualProxy { .. } => "virtual_proxy",
+        }
+    }
+
+    /// Steps that one update may take where nothing else is asked: each model's worst update then
+    /// stays near a tenth of a millisecond.
+    pub fn default_step_budget(&self) -> u32 {
+        4096
+    }
+
+    /// The model, with a proxy at sample (0, 0) out of contact, that may take `step_budget` steps
+    /// in one update (at least 1).
+    pub fn build(&self, step_budget: u32) -> Box<dyn ContactModel> {
+        // Until the others are here.
+        Box::new(ProxyGraph::new(step_budget))
+    }
+}
