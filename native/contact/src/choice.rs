@@ -2,6 +2,7 @@
 
 use crate::contact::ContactModel;
 use crate::proxy_graph::ProxyGraph;
+use crate::surface_walk::SurfaceWalk;
 
 /// A contact model with its knobs, before it is built.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -51,7 +52,10 @@ impl Model {
     /// The model, with a proxy at sample (0, 0) out of contact, that may take `step_budget` steps
     /// in one update (at least 1).
     pub fn build(&self, step_budget: u32) -> Box<dyn ContactModel> {
-        // Until the others are here.
-        Box::new(ProxyGraph::new(step_budget))
+        match *self {
+            Self::SurfaceWalk { sub_step } => Box::new(SurfaceWalk::new(step_budget, sub_step)),
+            // Until the others are here.
+            _ => Box::new(ProxyGraph::new(step_budget)),
+        }
     }
 }

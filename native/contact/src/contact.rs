@@ -45,11 +45,8 @@ pub struct Contact {
     pub proxy: GridPoint,
     /// What it lies on.
     pub feature: Feature,
-    /// Unit vector from the goal to the proxy in the workspace (right, away, up); (0, 0, 1) where
-    /// the two coincide.
-    pub normal: [f64; 3],
-    /// Workspace metres between proxy and goal.
-    pub distance: f64,
+    /// Workspace metres from the goal to the proxy (right, away, up): along this the spring pulls.
+    pub displacement: [f64; 3],
     /// What the update cost.
     pub counters: Counters,
 }
@@ -82,8 +79,16 @@ pub trait ContactModel: Send {
     fn update(&mut self, grid: &Grid, metric: &Metric, goal: &GridPoint) -> Contact;
 }
 
+impl Counters {
+    /// What counts against the step budget.
+    pub(crate) fn steps(&self) -> u32 {
+        self.vertices + self.faces + self.cells
+    }
+}
+
 impl Contact {
     /// The outcome with `proxy` on `feature`, seen from `goal`.
+    #[inline(always)]
     pub(crate) fn new(
         proxy: GridPoint,
         feature: Feature,
@@ -92,16 +97,31 @@ impl Contact {
         counters: Counters,
     ) -> Self {
         let [columns, rows, up] = proxy.relative_to(goal.column, goal.row, goal.elevation);
-        let pull = [
+        let displacement = [
             (columns - goal.u) * metric.column,
             // Rows run south; the workspace's second axis points away from the hand, north.
             -(rows - goal.v) * metric.row,
             up * metric.up,
         ];
-        let distance = pull[0].hypot(pull[1]).hypot(pull[2]);
-        let normal = pull.map(|length| length / distance);
-        let has_direction = normal.iter().all(|part| part.is_finite());
-        let normal = if has_direction { normal } else { [0.0, 0.0, 1.0] };
-        Self { proxy, feature, normal, distance, counters }
+        Self { proxy, feature, displacement, counters }
     }
+
+    /// Unit vector from the goal to the proxy in the workspace (right, away, up); (0, 0, 1) where
+    /// the two coincide.
+    pub fn normal(&self) -> [f64; 3] {
+        direction_and_length(self.displacement).0
+    }
+
+    /// Workspace metres between proxy and goal.
+    pub fn distance(&self) -> f64 {
+        direction_and_length(self.displacement).1
+    }
+}
+
+/// A vector as a unit vector and a length; up where it has no direction.
+fn direction_and_length(vector: [f64; 3]) -> ([f64; 3], f64) {
+    let length = vector[0].hypot(vector[1]).hypot(vector[2]);
+    let direction = vector.map(|part| part / length);
+    let has_direction = direction.iter().all(|part| part.is_finite());
+    (if has_direction { direction } else { [0.0, 0.0, 1.0] }, length)
 }

@@ -12,9 +12,11 @@ mod choice;
 mod contact;
 mod proxy;
 mod proxy_graph;
+mod surface_walk;
 mod weights;
 
 pub use choice::Model;
 pub use contact::{Contact, ContactModel, Counters, Feature};
 pub use proxy::{Place, Proxy};
 pub use proxy_graph::ProxyGraph;
+pub use surface_walk::SurfaceWalk;

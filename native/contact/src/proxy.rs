@@ -46,6 +46,11 @@ impl Proxy {
 }
 
 impl Place {
+    /// Whether it is in contact.
+    pub fn is_on_surface(&self) -> bool {
+        !matches!(self, Self::Space(_))
+    }
+
     /// The kind of place.
     pub fn feature(&self) -> Feature {
         match self {
@@ -55,4 +60,11 @@ impl Place {
             Self::Vertex { .. } => Feature::Vertex,
         }
     }
+}
+
+/// Cells over the ground from one point to the other along the longer axis, rounded up, at least 1.
+pub(crate) fn cells_between(from: &GridPoint, to: &GridPoint) -> u32 {
+    let [columns, rows, _] = to.relative_to(from.column, from.row, 0.0);
+    let longer = (columns - from.u).abs().max((rows - from.v).abs());
+    (longer.ceil() as u32).max(1)
 }

@@ -10,12 +10,15 @@ use surface::Metric;
 pub(crate) struct Weights {
     pub(crate) row: f64,
     pub(crate) up: f64,
+    /// `up` over `row`.
+    pub(crate) up_over_row: f64,
 }
 
 impl Weights {
     pub(crate) fn new(metric: &Metric) -> Self {
         let (row, up) = (metric.row / metric.column, metric.up / metric.column);
-        Self { row: row * row, up: up * up }
+        let up_over_row = metric.up / metric.row;
+        Self { row: row * row, up: up * up, up_over_row: up_over_row * up_over_row }
     }
 
     #[inline(always)]

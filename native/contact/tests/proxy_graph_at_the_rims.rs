@@ -93,7 +93,7 @@ fn the_border_of_the_map_holds_a_proxy_in_contact() {
         }
         let lifted = GridPoint { elevation: 1.0, ..outside };
         let contact = model.update(&grid, &SQUARE, &lifted);
-        assert_eq!((contact.feature, contact.distance), (Feature::Free, 0.0));
+        assert_eq!((contact.feature, contact.distance()), (Feature::Free, 0.0));
     }
 }
 
@@ -212,7 +212,7 @@ proptest! {
         for _ in 0..100 {
             let goal = hand.next(&grid);
             let contact = model.update(&grid, &SQUARE, &goal);
-            prop_assert!(contact.proxy.is_finite() && contact.distance.is_finite());
+            prop_assert!(contact.proxy.is_finite() && contact.distance().is_finite());
             prop_assert_eq!(contact.counters.steps_left, 0);
             if contact.feature != Feature::Free {
                 prop_assert!(depth_below_surface(&grid, &contact).abs() < 1e-9, "{:?}", contact);

@@ -44,7 +44,7 @@ fn a_hand_exactly_on_the_surface_stays_in_contact() {
             assert!((rested.proxy.columns() - from.columns()).abs() < 1e-12);
             let contact = model.update(&grid, &SQUARE, &to);
             assert_ne!(contact.feature, Feature::Free, "from {from:?} to {to:?}");
-            assert_eq!(contact.distance, 0.0);
+            assert_eq!(contact.distance(), 0.0);
             let lifted = GridPoint { elevation: to.elevation + 1e-9, ..to };
             assert_eq!(model.update(&grid, &SQUARE, &lifted).feature, Feature::Free);
         }

@@ -20,7 +20,7 @@ fn proxy_over(grid: &Grid, column: f64, row: f64) -> ProxyGraph {
 
 fn assert_sound(grid: &Grid, contact: &Contact) {
     assert!(contact.proxy.is_finite(), "{contact:?}");
-    assert!(contact.distance.is_finite(), "{contact:?}");
+    assert!(contact.distance().is_finite(), "{contact:?}");
     let counters = &contact.counters;
     assert!(counters.vertices + counters.cells <= BUDGET, "{contact:?}");
     assert!(depth_below_surface(grid, contact) < 1e-9, "{contact:?}");
@@ -126,7 +126,7 @@ fn a_spike_met_from_far_is_released_once_the_hand_lifts() {
     }
     let lifted = GridPoint::new(16.0, 16.0, 50.0);
     let contact = model.update(&grid, &SQUARE, &lifted);
-    assert_eq!((contact.feature, contact.proxy, contact.distance), (Feature::Free, lifted, 0.0));
+    assert_eq!((contact.feature, contact.proxy, contact.distance()), (Feature::Free, lifted, 0.0));
 }
 
 proptest! {

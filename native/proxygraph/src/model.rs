@@ -74,12 +74,12 @@ impl Contact {
 
     #[getter]
     fn normal(&self) -> (f64, f64, f64) {
-        self.contact.normal.into()
+        self.contact.normal().into()
     }
 
     #[getter]
     fn distance(&self) -> f64 {
-        self.contact.distance
+        self.contact.distance()
     }
 
     #[getter]

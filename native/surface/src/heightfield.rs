@@ -14,6 +14,8 @@ use std::marker::PhantomData;
 pub struct Heightfield<'grid, S> {
     first: *const u8,
     row_stride: usize,
+    /// Bytes from the first sample to the last one.
+    last_offset: usize,
     rows: i64,
     columns: i64,
     wraps: bool,
@@ -21,6 +23,8 @@ pub struct Heightfield<'grid, S> {
     value_offset: f64,
     /// NaN, which equals nothing, where the grid has no void value.
     void: f64,
+    /// Every sample is its elevation: whole numbers of metres without a void value.
+    is_plain: bool,
     grid: PhantomData<(&'grid Grid, S)>,
 }
 
@@ -34,6 +38,7 @@ impl<S> Copy for Heightfield<'_, S> {}
 
 impl<'grid, S: Sample> Heightfield<'grid, S> {
     /// A view on `grid`, whose samples must be of type `S` (see [`on_heightfield!`](crate::on_heightfield)).
+    #[inline(always)]
     pub fn new(grid: &'grid Grid) -> Self {
         let layout = grid.layout();
         assert_eq!(S::BYTES, layout.sample().bytes(), "the reader must fit the layout");
@@ -41,12 +46,17 @@ impl<'grid, S: Sample> Heightfield<'grid, S> {
             // The layout was held against the bytes when the grid was made.
             first: grid.storage().address().wrapping_add(layout.offset() as usize),
             row_stride: layout.row_stride() as usize,
+            last_offset: (layout.rows() - 1) as usize * layout.row_stride() as usize
+                + (layout.columns() - 1) as usize * S::BYTES,
             rows: i64::from(layout.rows()),
             columns: i64::from(layout.columns()),
             wraps: layout.wraps(),
             scale: layout.scale(),
             value_offset: layout.value_offset(),
             void: layout.void().unwrap_or(f64::NAN),
+            is_plain: S::IS_INTEGER
+                && layout.void().is_none()
+                && (layout.scale(), layout.value_offset()) == (1.0, 0.0),
             grid: PhantomData,
         }
     }
@@ -63,7 +73,93 @@ impl<'grid, S: Sample> Heightfield<'grid, S> {
         let offset = row as usize * self.row_stride + column as usize * S::BYTES;
         // SAFETY: column and row are inside the layout, which was held against the length of the
         // bytes; a mapped page that vanishes is replaced by the guard.
-        let sample = unsafe { S::read(self.first.add(offset)) };
+        self.converted(unsafe { S::read(self.first.add(offset)) })
+    }
+
+    /// Elevations at fixed `steps` (columns east, rows south) from a sample, metres; NaN where there
+    /// is none. Faster than one by one: the map's edges are looked for once.
+    #[inline(always)]
+    pub fn elevations_near<const N: usize>(
+        &self,
+        column: i64,
+        row: i64,
+        steps: [(i64, i64); N],
+    ) -> [f64; N] {
+        let reach = |step: fn(&(i64, i64)) -> i64| {
+            let all = steps.iter().map(step);
+            all.fold((0, 0), |(low, high), step| (low.min(step), high.max(step)))
+        };
+        let ((west, east), (north, south)) = (reach(|step| step.0), reach(|step| step.1));
+        let is_inside = column + west >= 0
+            && column + east < self.columns
+            && row + north >= 0
+            && row + south < self.rows;
+        if !is_inside {
+            return self.elevations_one_by_one(column, row, steps);
+        }
+        let here = row as usize * self.row_stride + column as usize * S::BYTES;
+        let row_stride = self.row_stride as i64;
+        let mut elevations = [0.0; N];
+        for (elevation, (columns, rows)) in elevations.iter_mut().zip(steps) {
+            let offset = rows * row_stride + columns * S::BYTES as i64;
+            // SAFETY: as above; the farthest of the steps have been held against the layout.
+            let sample = unsafe { S::read(self.first.add(here).offset(offset as isize)) };
+            *elevation = self.converted(sample);
+        }
+        elevations
+    }
+
+    /// Elevations of the samples that begin `steps` bytes from `offset`, which is itself counted from
+    /// the first sample; NaN unless all from `reach.0` to `reach.1` bytes from there lie inside the
+    /// bytes of the grid. Every step must be within the reach.
+    #[inline(always)]
+    pub(crate) fn elevations_at<const N: usize>(
+        &self,
+        offset: i64,
+        steps: [i64; N],
+        reach: (i64, i64),
+    ) -> [f64; N] {
+        let mut elevations = [f64::NAN; N];
+        let (lowest, highest) = (offset + reach.0, offset + reach.1);
+        if lowest >= 0 && highest <= self.last_offset as i64 {
+            for (elevation, step) in elevations.iter_mut().zip(steps) {
+                debug_assert!((reach.0..=reach.1).contains(&step));
+                // SAFETY: the sample begins between the first and the last one's offset, which were
+                // held against the length of the bytes.
+                let sample = unsafe { S::read(self.first.offset((offset + step) as isize)) };
+                *elevation = self.converted(sample);
+            }
+        }
+        elevations
+    }
+
+    /// Bytes from one row to the next.
+    pub(crate) fn row_stride(&self) -> i64 {
+        self.row_stride as i64
+    }
+
+    /// The stored column of the same place.
+    #[inline(always)]
+    pub(crate) fn period_column(&self, column: i64) -> i64 {
+        self.stored_column(column).unwrap_or(column)
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn elevations_one_by_one<const N: usize>(
+        &self,
+        column: i64,
+        row: i64,
+        steps: [(i64, i64); N],
+    ) -> [f64; N] {
+        steps.map(|(columns, rows)| self.elevation(column + columns, row + rows))
+    }
+
+    #[inline(always)]
+    fn converted(&self, sample: f64) -> f64 {
+        if self.is_plain {
+            return sample;
+        }
         let elevation = sample * self.scale + self.value_offset;
         // The comparison is false for NaN too.
         let is_height = elevation.abs() <= FARTHEST_ELEVATION;
@@ -71,8 +167,13 @@ impl<'grid, S: Sample> Heightfield<'grid, S> {
     }
 
     /// Elevations of a triangle's corners, in the order of [`Triangle::corners`], metres.
+    #[inline(always)]
     pub fn corner_elevations(&self, triangle: &Triangle) -> [f64; 3] {
-        triangle.corners().map(|(column, row)| self.elevation(column, row))
+        let Triangle { column, row, half } = *triangle;
+        match half {
+            Half::NorthEast => self.elevations_near(column, row, [(0, 0), (1, 0), (1, 1)]),
+            Half::SouthWest => self.elevations_near(column, row, [(0, 0), (1, 1), (0, 1)]),
+        }
     }
 
     /// Whether none of a triangle's corners is void or off the map.

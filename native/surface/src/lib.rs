@@ -20,6 +20,7 @@ mod point;
 mod range;
 pub mod ray;
 mod sample;
+pub mod section;
 mod storage;
 
 pub use grid::{Grid, GridError};

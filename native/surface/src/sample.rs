@@ -41,6 +41,9 @@ pub trait Sample: Copy + Send + Sync + 'static {
     /// Bytes of one sample.
     const BYTES: usize;
 
+    /// Whether every sample is a whole number: then none is NaN or infinite.
+    const IS_INTEGER: bool;
+
     /// The sample at `address` as a double (exact for every format).
     ///
     /// # Safety
@@ -54,13 +57,14 @@ pub mod readers {
     use super::Sample;
 
     macro_rules! reader {
-        ($name:ident, $number:ty, $from_bytes:ident, $what:literal) => {
+        ($name:ident, $number:ty, $from_bytes:ident, $is_integer:literal, $what:literal) => {
             #[doc = $what]
             #[derive(Clone, Copy, Debug)]
             pub struct $name;
 
             impl Sample for $name {
                 const BYTES: usize = size_of::<$number>();
+                const IS_INTEGER: bool = $is_integer;
 
                 #[inline(always)]
                 unsafe fn read(address: *const u8) -> f64 {
@@ -73,16 +77,16 @@ pub mod readers {
         };
     }
 
-    reader!(I16Big, i16, from_be_bytes, "Signed 16 bit, big-endian.");
-    reader!(I16Little, i16, from_le_bytes, "Signed 16 bit, little-endian.");
-    reader!(U16Big, u16, from_be_bytes, "Unsigned 16 bit, big-endian.");
-    reader!(U16Little, u16, from_le_bytes, "Unsigned 16 bit, little-endian.");
-    reader!(I32Big, i32, from_be_bytes, "Signed 32 bit, big-endian.");
-    reader!(I32Little, i32, from_le_bytes, "Signed 32 bit, little-endian.");
-    reader!(F32Big, f32, from_be_bytes, "Single precision, big-endian.");
-    reader!(F32Little, f32, from_le_bytes, "Single precision, little-endian.");
-    reader!(F64Big, f64, from_be_bytes, "Double precision, big-endian.");
-    reader!(F64Little, f64, from_le_bytes, "Double precision, little-endian.");
+    reader!(I16Big, i16, from_be_bytes, true, "Signed 16 bit, big-endian.");
+    reader!(I16Little, i16, from_le_bytes, true, "Signed 16 bit, little-endian.");
+    reader!(U16Big, u16, from_be_bytes, true, "Unsigned 16 bit, big-endian.");
+    reader!(U16Little, u16, from_le_bytes, true, "Unsigned 16 bit, little-endian.");
+    reader!(I32Big, i32, from_be_bytes, true, "Signed 32 bit, big-endian.");
+    reader!(I32Little, i32, from_le_bytes, true, "Signed 32 bit, little-endian.");
+    reader!(F32Big, f32, from_be_bytes, false, "Single precision, big-endian.");
+    reader!(F32Little, f32, from_le_bytes, false, "Single precision, little-endian.");
+    reader!(F64Big, f64, from_be_bytes, false, "Double precision, big-endian.");
+    reader!(F64Little, f64, from_le_bytes, false, "Double precision, little-endian.");
 }
 
 #[cfg(test)]

@@ -21,7 +21,7 @@ mod ring;
 mod visited;
 
 use crate::contact::{Contact, ContactModel, Counters};
-use crate::proxy::{Place, Proxy};
+use crate::proxy::{Place, Proxy, cells_between};
 use crate::weights::Weights;
 use ring::{Minimum, Ring};
 use surface::lattice::{along_edges, clockwise, counterclockwise, face};
@@ -308,18 +308,4 @@ impl<S: Sample> Search<'_, S> {
         }
         nearest.0
     }
-}
-
-impl Counters {
-    /// What counts against the step budget.
-    fn steps(&self) -> u32 {
-        self.vertices + self.cells
-    }
-}
-
-/// Cells over the ground from one point to the other along the longer axis, rounded up, at least 1.
-fn cells_between(from: &GridPoint, to: &GridPoint) -> u32 {
-    let [columns, rows, _] = to.relative_to(from.column, from.row, 0.0);
-    let longer = (columns - from.u).abs().max((rows - from.v).abs());
-    (longer.ceil() as u32).max(1)
 }

@@ -40,9 +40,9 @@ pub(super) enum Minimum {
 impl Ring {
     #[inline(always)]
     pub(super) fn new<S: Sample>(field: &Heightfield<S>, column: i64, row: i64) -> Self {
-        let elevation = field.elevation(column, row);
-        let rise = |k: usize| field.elevation(column + EAST[k], row + SOUTH[k]) - elevation;
-        let rises = [rise(0), rise(1), rise(2), rise(3), rise(4), rise(5)];
+        const STEPS: [(i64, i64); 7] = [(0, 0), (1, 0), (1, 1), (0, 1), (-1, 0), (-1, -1), (0, -1)];
+        let [elevation, neighbours @ ..] = field.elevations_near(column, row, STEPS);
+        let rises = neighbours.map(|neighbour| neighbour - elevation);
         Self { column, row, elevation, rises }
     }
 

@@ -1,0 +1,361 @@
+//! Steepest descent of the distance to the goal, over faces, edges and vertices.
+
+use super::Walk;
+use super::face::{Face, LatticeEdge, share};
+use crate::contact::Counters;
+use crate::proxy::Place;
+use surface::lattice::{EAST, SOUTH, along_edges, clockwise, counterclockwise, face, sector};
+use surface::{GridPoint, Sample, Triangle};
+
+/// How a descent ended.
+pub(super) enum Descent {
+    /// At a local minimum of the distance.
+    AtRest,
+    /// The straight way to the goal is open, over (or under) this triangle.
+    Open(Triangle),
+    /// The step budget is used up.
+    OutOfSteps,
+    /// It came to a place from which the next look decides.
+    GoesOn,
+}
+
+/// For each face k of a vertex, which corner of the face the vertex is (see [`Face`]).
+const CORNER: [usize; 6] = [0, 2, 1, 0, 2, 1];
+
+/// The other two edges of a face: the ones that lead to and from the corner opposite.
+const OTHERS: [(usize, usize); 3] = [(1, 2), (0, 2), (0, 1)];
+
+impl<S: Sample> Walk<'_, '_, S> {
+    /// One look from where the proxy lies, and the walk over faces that follows from it.
+    #[inline(always)]
+    pub(super) fn descend(&mut self, has_landed: bool, counters: &mut Counters) -> Descent {
+        match self.proxy.place {
+            Place::Face(triangle) => self.descend_from_face(&triangle, has_landed, counters),
+            Place::Edge { column, row, k } => {
+                self.descend_from_edge(LatticeEdge { column, row, k }, counters)
+            }
+            Place::Vertex { column, row } => self.descend_from_vertex(column, row, counters),
+            Place::Space(_) => Descent::AtRest,
+        }
+    }
+
+    /// A proxy that has just landed on the face is not sent away again by rounding.
+    #[inline(always)]
+    fn descend_from_face(
+        &mut self,
+        triangle: &Triangle,
+        has_landed: bool,
+        counters: &mut Counters,
+    ) -> Descent {
+        counters.faces += 1;
+        let face = Face::new(self.search, triangle);
+        let shares = face.shares_at(&self.proxy.position);
+        if !(face.goal_height <= 0.0) && !(has_landed && face.norm.is_finite()) {
+            if face.norm.is_finite() {
+                self.proxy.position = face.point(shares[1], shares[2]);
+            }
+            return Descent::Open(*triangle);
+        }
+        match face.exit(&shares) {
+            None => self.rest_on_face(&face),
+            Some((edge, along)) => self.cross(&face, edge, along, counters),
+        }
+    }
+
+    /// Walks on across an edge of a face, where the budget allows.
+    #[inline(always)]
+    fn cross(&mut self, from: &Face, edge: usize, along: f64, counters: &mut Counters) -> Descent {
+        let face = from.across(edge, self.search);
+        if counters.steps() >= self.step_budget {
+            let (edge, at) = face.lattice_edge(edge, along);
+            self.stand_on_edge(edge, at);
+            return Descent::OutOfSteps;
+        }
+        counters.faces += 1;
+        self.walk(face, edge, along, counters)
+    }
+
+    #[inline(always)]
+    fn descend_from_edge(&mut self, edge: LatticeEdge, counters: &mut Counters) -> Descent {
+        counters.faces += 1;
+        let (triangle, side) = edge.north_eastern();
+        let first = Face::new(self.search, &triangle);
+        let second = first.across(side, self.search);
+        let along = edge.along(&self.proxy.position);
+
+        let inward = first.goal_inward(side);
+        let leads_over_first = inward > 0.0 || (inward == 0.0 && !first.goal_height.is_nan());
+        let ahead = if leads_over_first { &first } else { &second };
+        if !(ahead.goal_height <= 0.0) {
+            self.proxy.position = self.point_on_edge(edge, along);
+            return Descent::Open(ahead.triangle());
+        }
+        match (first.draws(side), second.draws(side)) {
+            // A ridge: down the side on which the plane is nearer to the goal.
+            (true, true) if second.is_nearer_than(&first) => {
+                self.walk(second, side, 1.0 - along, counters)
+            }
+            (true, _) => self.walk(first, side, along, counters),
+            (false, true) => self.walk(second, side, 1.0 - along, counters),
+            (false, false) => self.slide(edge),
+        }
+    }
+
+    #[inline(never)]
+    fn descend_from_vertex(&mut self, column: i64, row: i64, counters: &mut Counters) -> Descent {
+        counters.faces += 1;
+        let elevation = self.search.field.elevation(column, row);
+        self.proxy.position = GridPoint { column, row, u: 0.0, v: 0.0, elevation };
+        let goal = self.search.target.relative_to(column, row, elevation);
+        let faces = [0, 1, 2, 3, 4, 5].map(|k| Face::new(self.search, &face(column, row, k)));
+        let ahead = face_ahead(&faces, goal);
+        if !(faces[ahead].goal_height <= 0.0) {
+            return Descent::Open(faces[ahead].triangle());
+        }
+        let distance = self.search.weights.squared(goal);
+        if !self.comes_nearer(distance) {
+            return Descent::AtRest;
+        }
+
+        let mut best = (0.0, None);
+        for (k, face) in faces.iter().enumerate() {
+            if face.goal_height <= 0.0 && face.foot_is_ahead_of(CORNER[k]) {
+                let gain = distance - face.squared_plane_distance(self.search.up);
+                if gain > best.0 {
+                    best = (gain, Some((k, true)));
+                }
+            }
+            let is_way = faces[counterclockwise(k)].norm.is_finite() || face.norm.is_finite();
+            let gain = if is_way { self.gain_along(column, row, k, goal) } else { 0.0 };
+            if gain > best.0 {
+                best = (gain, Some((k, false)));
+            }
+        }
+        match best.1 {
+            None => Descent::AtRest,
+            Some((k, false)) => self.slide(LatticeEdge::of_vertex(column, row, k)),
+            Some((k, true)) => {
+                let mut shares = [0.0; 3];
+                shares[CORNER[k]] = 1.0;
+                match faces[k].exit(&shares) {
+                    None => self.rest_on_face(&faces[k]),
+                    Some((edge, along)) => self.cross(&faces[k], edge, along, counters),
+                }
+            }
+        }
+    }
+
+    /// Walks from face to face, entering `face` through its edge `edge` at `along` from the edge's
+    /// first corner.
+    #[inline(always)]
+    fn walk(
+        &mut self,
+        mut face: Face,
+        mut edge: usize,
+        mut along: f64,
+        counters: &mut Counters,
+    ) -> Descent {
+        loop {
+            if !(face.goal_height <= 0.0) {
+                let (edge_of_lattice, at) = face.lattice_edge(edge, along);
+                if face.goal_is_within(edge) {
+                    self.stand_on_edge(edge_of_lattice, at);
+                    return Descent::Open(face.triangle());
+                }
+                return self.slide(edge_of_lattice);
+            }
+            if !(face.foot[edge] > 0.0) {
+                return self.slide(face.lattice_edge(edge, along).0);
+            }
+            let Some((next_edge, next_along)) = face.exit_from_edge(edge, along) else {
+                return self.rest_on_face(&face);
+            };
+            (edge, along) = (next_edge, next_along);
+            face = face.across(edge, self.search);
+            if counters.steps() >= self.step_budget {
+                let (edge, at) = face.lattice_edge(edge, along);
+                self.stand_on_edge(edge, at);
+                return Descent::OutOfSteps;
+            }
+            counters.faces += 1;
+        }
+    }
+
+    /// Goes along an edge that neither face draws away from, to the point nearest to the goal.
+    #[inline(always)]
+    fn slide(&mut self, edge: LatticeEdge) -> Descent {
+        let LatticeEdge { column, row, k } = edge;
+        let field = self.search.field;
+        let (end_column, end_row) = (column + EAST[k], row + SOUTH[k]);
+        let start = field.elevation(column, row);
+        let rise = field.elevation(end_column, end_row) - start;
+        let goal = self.search.target.relative_to(column, row, start);
+        let vector = [EAST[k] as f64, SOUTH[k] as f64, rise];
+        let along = self.search.weights.product(goal, vector) / self.search.weights.squared(vector);
+        if along > 0.0 && along < 1.0 {
+            self.stand_on_edge(edge, along);
+            return Descent::AtRest;
+        }
+        let (column, row) = if along >= 1.0 { (end_column, end_row) } else { (column, row) };
+        self.proxy.place = Place::Vertex { column, row };
+        Descent::GoesOn
+    }
+
+    #[inline(always)]
+    fn rest_on_face(&mut self, face: &Face) -> Descent {
+        let scale = 1.0 / face.norm;
+        let share_c = share(face.foot[2] * scale);
+        let share_b = share(face.foot[1] * scale).min(1.0 - share_c);
+        self.proxy.position = face.point(share_b, share_c);
+        self.proxy.place = Place::Face(face.triangle());
+        Descent::AtRest
+    }
+
+    pub(super) fn stand_on_edge(&mut self, edge: LatticeEdge, along: f64) {
+        let LatticeEdge { column, row, k } = edge;
+        self.proxy.position = self.point_on_edge(edge, along);
+        self.proxy.place = Place::Edge { column, row, k };
+    }
+
+    #[inline(always)]
+    fn point_on_edge(&self, edge: LatticeEdge, along: f64) -> GridPoint {
+        let LatticeEdge { column, row, k } = edge;
+        let start = self.search.field.elevation(column, row);
+        let end = self.search.field.elevation(column + EAST[k], row + SOUTH[k]);
+        let u = if k == 2 { 0.0 } else { along };
+        let v = if k == 0 { 0.0 } else { along };
+        GridPoint { column, row, u, v, elevation: start + along * (end - start) }
+    }
+
+    /// The squared distance saved by going along edge `k` of a vertex to the point nearest to the
+    /// goal on its line.
+    fn gain_along(&self, column: i64, row: i64, k: usize, goal: [f64; 3]) -> f64 {
+        let field = self.search.field;
+        let rise = field.elevation(column + EAST[k], row + SOUTH[k]) - field.elevation(column, row);
+        let vector = [EAST[k] as f64, SOUTH[k] as f64, rise];
+        let product = self.search.weights.product(vector, goal);
+        if product > 0.0 { product * product / self.search.weights.squared(vector) } else { 0.0 }
+    }
+}
+
+/// The face of a vertex that the way to `goal` leads over: along an edge, one that exists if either does.
+fn face_ahead(faces: &[Face; 6], goal: [f64; 3]) -> usize {
+    let k = sector(goal[0], goal[1]);
+    if !faces[k].goal_height.is_nan() {
+        return k;
+    }
+    let leads_over = |&k: &usize| {
+        let (first, second) = along_edges(k, goal[0], goal[1]);
+        first >= 0.0 && second >= 0.0 && !faces[k].goal_height.is_nan()
+    };
+    [clockwise(k), counterclockwise(k)].into_iter().find(leads_over).unwrap_or(k)
+}
+
+impl Face {
+    /// Whether a point on the edge is drawn into this face: the goal lies under its plane, and the
+    /// foot on its side of the edge.
+    #[inline(always)]
+    fn draws(&self, edge: usize) -> bool {
+        self.goal_height <= 0.0 && self.foot[edge] > 0.0
+    }
+
+    /// Whether the goal is nearer to this plane than to the other's.
+    fn is_nearer_than(&self, other: &Self) -> bool {
+        self.goal_height * self.goal_height * other.norm
+            < other.goal_height * other.goal_height * self.norm
+    }
+
+    fn squared_plane_distance(&self, up: f64) -> f64 {
+        up * (self.goal_height * self.goal_height / self.norm)
+    }
+
+    /// Whether the straight way from a corner to the foot begins inside the face.
+    fn foot_is_ahead_of(&self, corner: usize) -> bool {
+        let (first, second) = OTHERS[corner];
+        self.foot[first] >= 0.0 && self.foot[second] >= 0.0
+    }
+
+    /// Where the straight way from a point of the face (barycentric coordinates) to the foot leaves
+    /// it: through which edge, and how far along it, as counted from the face across. `None` where
+    /// the foot lies in the face.
+    #[inline(always)]
+    fn exit(&self, shares: &[f64; 3]) -> Option<(usize, f64)> {
+        let mut first: Option<(usize, f64)> = None;
+        for edge in 0..3 {
+            if self.foot[edge] < 0.0 {
+                let time = shares[edge] * self.norm / (shares[edge] * self.norm - self.foot[edge]);
+                if first.is_none_or(|(_, earliest)| time < earliest) {
+                    first = Some((edge, time));
+                }
+            }
+        }
+        let (edge, time) = first?;
+        // From the face across, the edge begins at what is its second corner here.
+        let start = if edge == 0 { 1 } else { 0 };
+        let along = shares[start] + time * (self.foot[start] / self.norm - shares[start]);
+        Some((edge, share(along)))
+    }
+
+    /// The same for a way that begins on an edge and leads into the face.
+    #[inline(always)]
+    fn exit_from_edge(&self, edge: usize, along: f64) -> Option<(usize, f64)> {
+        let [a, b, c] = self.foot;
+        let back = 1.0 - along;
+        match edge {
+            // From BC.
+            0 => match through_first(b, back, c, along) {
+                None => None,
+                Some(true) => Some((1, exit_share(b, back, a, 0.0, self.norm))),
+                Some(false) => Some((2, exit_share(c, along, a, 0.0, self.norm))),
+            },
+            // From the diagonal.
+            1 => match through_first(a, back, c, along) {
+                None => None,
+                Some(true) => Some((0, exit_share(a, back, b, 0.0, self.norm))),
+                Some(false) => Some((2, exit_share(c, along, a, back, self.norm))),
+            },
+            // From AB.
+            _ => match through_first(a, back, b, along) {
+                None => None,
+                Some(true) => Some((0, exit_share(a, back, b, along, self.norm))),
+                Some(false) => Some((1, exit_share(b, along, a, back, self.norm))),
+            },
+        }
+    }
+}
+
+/// Of the two edges that a way can leave through: whether it is the first; `None` where it is neither.
+/// Given are, for each edge, the goal's foot beyond it (negative) or within, and the start within it.
+#[inline(always)]
+fn through_first(first: f64, first_start: f64, second: f64, second_start: f64) -> Option<bool> {
+    if first >= 0.0 && second >= 0.0 {
+        return None;
+    }
+    Some(second >= 0.0 || (first < 0.0 && second_start * first < first_start * second))
+}
+
+/// The share of a corner at the point where a way leaves a face: `crossed` and `crossed_start` are
+/// foot and start within the edge that is crossed, `foot` and `start` those of the corner.
+#[inline(always)]
+fn exit_share(crossed: f64, crossed_start: f64, foot: f64, start: f64, norm: f64) -> f64 {
+    share((crossed_start * foot - crossed * start) / (crossed_start * norm - crossed))
+}
+
+impl LatticeEdge {
+    /// Edge `k` (0 to 5) of a vertex, by the name that both its ends have for it.
+    fn of_vertex(column: i64, row: i64, k: usize) -> Self {
+        if k < 3 {
+            Self { column, row, k }
+        } else {
+            Self { column: column + EAST[k], row: row + SOUTH[k], k: k - 3 }
+        }
+    }
+
+    /// How far along the edge a point on it lies.
+    #[inline(always)]
+    fn along(&self, point: &GridPoint) -> f64 {
+        let [u, v, _] = point.relative_to(self.column, self.row, 0.0);
+        let along = if self.k == 2 { v } else { u };
+        share(along)
+    }
+}

@@ -1,0 +1,254 @@
+//! The surface walk: steepest descent of the distance to the goal, exactly, over faces, edges and
+//! vertices by adjacency alone.
+//!
+//! Free space is the paper's (3.2, 3.5): a straight move, stopped by the first triangle it meets.
+//! On the surface the proxy then goes downhill in the distance to the goal, continuously: straight
+//! across a face toward the goal's foot on its plane, along an edge where both faces draw toward it,
+//! from a vertex along the steepest of the ways around it. It ends at a local minimum of the
+//! distance, or where the straight way to the goal is open.
+//!
+//! Because the distance falls on every part of the way, it never grows by more than the goal moves:
+//! the proxy gives the hand no energy that the hand did not bring (paper 3.4 claims this of the
+//! proxy graph, where it does not hold). A goal that is still is answered with the same proxy, bit
+//! for bit, from the update on that has no steps left.
+//!
+//! * [`section`]: the long way, along the straight section toward the goal while that descends.
+//! * [`descent`]: steepest descent from face to face.
+//! * [`face`]: a triangle and the goal's foot on its plane.
+
+mod descent;
+mod face;
+mod search;
+mod section;
+
+use crate::contact::{Contact, ContactModel, Counters};
+use crate::proxy::{Place, Proxy, cells_between};
+use crate::weights::Weights;
+use descent::Descent;
+use search::Search;
+use surface::ray::{RayEnd, Start, cast};
+use surface::{Grid, GridPoint, Metric, Sample, on_heightfield};
+
+/// The exact walk over the surface.
+pub struct SurfaceWalk {
+    step_budget: u32,
+    /// Cells.
+    sub_step: Option<f64>,
+    proxy: Proxy,
+    metric: Metric,
+    /// Of the metric; `None` where that is none.
+    weights: Option<Weights>,
+    /// The goal that the proxy follows.
+    followed: Option<GridPoint>,
+    /// It is at rest with the goal that it follows.
+    is_at_rest: bool,
+}
+
+const UNIT: Metric = Metric { column: 1.0, row: 1.0, up: 1.0 };
+
+impl SurfaceWalk {
+    /// A proxy at sample (0, 0), out of contact, that may look at `step_budget` places of the surface
+    /// and free-space cells in one update (at least 1). With `sub_step`, the goal moves no further
+    /// than that many cells over the ground at a time, which follows a fast hand more faithfully.
+    pub fn new(step_budget: u32, sub_step: Option<f64>) -> Self {
+        Self {
+            step_budget: step_budget.max(1),
+            sub_step,
+            proxy: Proxy::in_space(GridPoint::new(0.0, 0.0, 0.0)),
+            metric: UNIT,
+            weights: Some(Weights::new(&UNIT)),
+            followed: None,
+            is_at_rest: false,
+        }
+    }
+
+    /// Follows a finite goal, in sub-steps where they are wanted.
+    #[inline(always)]
+    fn follow(&mut self, grid: &Grid, weights: Weights, goal: &GridPoint, counters: &mut Counters) {
+        let is_still = self.is_at_rest && self.followed == Some(*goal);
+        on_heightfield!(grid, field => {
+            let mut search = Search::new(&field, weights, goal);
+            if is_still {
+                self.stay_or_follow(&search, counters);
+            } else if let (Some(longest), Some(from)) = (self.sub_step, self.followed) {
+                for goal in sub_goals(&from, goal, longest) {
+                    search = Search::new(&field, weights, &goal);
+                    self.followed = Some(goal);
+                    self.follow_one(&search, counters);
+                    if counters.steps_left > 0 {
+                        break;
+                    }
+                }
+            } else {
+                self.follow_one(&search, counters);
+                self.followed = Some(*goal);
+            }
+        });
+        self.is_at_rest = counters.steps_left == 0;
+    }
+
+    /// For a goal that has not moved: what rounding alone would change stays as it is.
+    #[cold]
+    #[inline(never)]
+    fn stay_or_follow<S: Sample>(&mut self, search: &Search<S>, counters: &mut Counters) {
+        let before = self.proxy;
+        let distance = search.squared_distance(&before.position);
+        self.follow_one(search, counters);
+        let gain = distance - search.squared_distance(&self.proxy.position);
+        if self.proxy.place.is_on_surface() && !(gain > search.rounding(distance)) {
+            self.proxy = before;
+        }
+    }
+
+    #[inline(always)]
+    fn follow_one<S: Sample>(&mut self, search: &Search<S>, counters: &mut Counters) {
+        let step_budget = self.step_budget;
+        let before = self.proxy;
+        Walk { search, proxy: &mut self.proxy, step_budget, nearest: f64::INFINITY }
+            .follow(counters);
+        if !self.proxy.position.is_finite() {
+            self.proxy = before;
+        }
+    }
+}
+
+impl ContactModel for SurfaceWalk {
+    fn name(&self) -> &'static str {
+        "surface_walk"
+    }
+
+    fn proxy(&self) -> Proxy {
+        self.proxy
+    }
+
+    fn take_over(&mut self, proxy: Proxy) {
+        self.proxy = proxy;
+        self.followed = None;
+        self.is_at_rest = false;
+    }
+
+    fn update(&mut self, grid: &Grid, metric: &Metric, goal: &GridPoint) -> Contact {
+        let mut counters = Counters::default();
+        if *metric != self.metric {
+            self.metric = *metric;
+            self.weights = metric.is_valid().then(|| Weights::new(metric));
+            self.is_at_rest = false;
+        }
+        if let Some(weights) = self.weights
+            && goal.is_finite()
+        {
+            self.follow(grid, weights, goal, &mut counters);
+        }
+        Contact::new(self.proxy.position, self.proxy.place.feature(), goal, metric, counters)
+    }
+}
+
+/// The goals on the straight way from one to another, no further apart than `longest` cells over the
+/// ground; the last is `to` itself.
+fn sub_goals(from: &GridPoint, to: &GridPoint, longest: f64) -> impl Iterator<Item = GridPoint> {
+    let [columns, rows, up] = to.relative_to(from.column, from.row, from.elevation);
+    let (east, south) = (columns - from.u, rows - from.v);
+    let (from, to) = (*from, *to);
+    // As many as fit into the budget of any update, where the way is that long.
+    let count = (east.hypot(south) / longest).ceil().clamp(1.0, f64::from(u32::MAX)) as u32;
+    (1..=count).map(move |number| {
+        if number == count {
+            return to;
+        }
+        let share = f64::from(number) / f64::from(count);
+        let (u, v) = (from.u + share * east, from.v + share * south);
+        GridPoint::from_sample(from.column, from.row, u, v, from.elevation + share * up)
+    })
+}
+
+/// One goal being followed.
+struct Walk<'walk, 'field, S> {
+    search: &'walk Search<'field, S>,
+    proxy: &'walk mut Proxy,
+    step_budget: u32,
+    /// The smallest squared distance at which the descent came by a vertex.
+    nearest: f64,
+}
+
+impl<S: Sample> Walk<'_, '_, S> {
+    #[inline(always)]
+    fn follow(&mut self, counters: &mut Counters) {
+        let mut has_landed = false;
+        if let Place::Space(side) = self.proxy.place {
+            if !self.fly(Start::Space(side), counters) {
+                return;
+            }
+            has_landed = true;
+        } else {
+            self.follow_section(counters);
+        }
+        loop {
+            if !self.can_afford(counters) {
+                return;
+            }
+            match self.descend(has_landed, counters) {
+                Descent::AtRest => return,
+                Descent::GoesOn => has_landed = false,
+                Descent::OutOfSteps => {
+                    counters.steps_left = self.cells_left();
+                    return;
+                }
+                Descent::Open(triangle) => {
+                    self.nearest = f64::INFINITY;
+                    if !self.fly(Start::Surface(triangle), counters) {
+                        return;
+                    }
+                    has_landed = true;
+                }
+            }
+        }
+    }
+
+    /// Moves the proxy straight toward the goal (paper 3.2); whether it met a triangle.
+    #[inline(always)]
+    fn fly(&mut self, start: Start, counters: &mut Counters) -> bool {
+        if !self.can_afford(counters) {
+            return false;
+        }
+        counters.collision_tests += 1;
+        let position = self.proxy.position;
+        let is_on_map = self.search.field.is_on_map(&position);
+        let target = if is_on_map { self.search.target } else { self.search.goal };
+        let most_cells = self.step_budget - counters.steps();
+        let ray = cast(self.search.field, &position, start, &target, most_cells);
+        counters.cells += ray.cells;
+        let (position, place) = match ray.end {
+            RayEnd::Hit(triangle, position) => (position, Place::Face(triangle)),
+            RayEnd::Clear(side) => (self.search.goal, Place::Space(side)),
+            RayEnd::OutOfSteps(position, side) => (position, Place::Space(side)),
+        };
+        *self.proxy = Proxy { position, place };
+        if let RayEnd::OutOfSteps(..) = ray.end {
+            counters.steps_left = self.cells_left();
+        }
+        place.is_on_surface()
+    }
+
+    /// Whether the budget has a step left; if not, what is left to walk is noted.
+    #[inline(always)]
+    fn can_afford(&self, counters: &mut Counters) -> bool {
+        let can = counters.steps() < self.step_budget;
+        if !can {
+            counters.steps_left = self.cells_left();
+        }
+        can
+    }
+
+    #[cold]
+    fn cells_left(&self) -> u32 {
+        cells_between(&self.proxy.position, &self.search.target)
+    }
+
+    /// Notes a squared distance on the way; false where it has not fallen, and rounding leads the
+    /// walk in a circle.
+    fn comes_nearer(&mut self, distance: f64) -> bool {
+        let nearer = distance < self.nearest;
+        self.nearest = distance;
+        nearer
+    }
+}
