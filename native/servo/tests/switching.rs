@@ -133,7 +133,8 @@ fn between_any_two_models_contact_is_kept_above_the_ground() {
                 assert_ne!(record.feature, Feature::Free, "{from:?} to {to:?} at {}", record.tick);
                 let place = terrain.layout().grid_point(record.proxy);
                 let depth = terrain.surface_elevation(&place).unwrap() - place.elevation;
-                assert!(depth <= 1e-9, "{from:?} to {to:?}: {depth} m under the surface");
+                // Heights are about a metre; a few units in their last place are far below this.
+                assert!(depth <= 1e-12, "{from:?} to {to:?}: {depth} m under the surface");
             }
         }
     }
