@@ -101,9 +101,9 @@ impl Engine {
     /// Does one thing. There must be room to retire a model.
     pub(crate) fn apply(&mut self, command: Command) {
         match command {
-            Command::SetWindow(frame) => self.servo.set_frame(frame),
-            Command::SetTarget(target) => self.servo.set_target(target),
-            Command::SetModel(model) => {
+            Command::Window(frame) => self.servo.set_frame(frame),
+            Command::Target(target) => self.servo.set_target(target),
+            Command::Model(model) => {
                 let retired = self.servo.set_model(model);
                 // Room was made before, so that nothing is freed here.
                 let _ = self.ports.retired.push(retired);
@@ -185,9 +185,9 @@ mod tests {
         let mut engine = Engine::new(servo, ports);
         for _ in 0..2 {
             let model = Model::default().build(1);
-            assert!(commands.push(Command::SetModel(model)).is_ok());
+            assert!(commands.push(Command::Model(model)).is_ok());
         }
-        assert!(commands.push(Command::SetTarget([0.0; 3])).is_ok());
+        assert!(commands.push(Command::Target([0.0; 3])).is_ok());
         engine.tick();
         assert_eq!((commands.slots(), retired.slots()), (6, 1));
         engine.tick();

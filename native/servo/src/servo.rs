@@ -111,6 +111,7 @@ impl Servo {
         match self.last_goal {
             None => {
                 self.model.place(goal);
+                // There is no force to go on from.
                 self.slew.disengage();
             }
             Some(before) => self.totals.goal_cells += ground_cells(&before, &goal),
@@ -210,10 +211,7 @@ impl Servo {
     /// its slew limit. Gives back the one before, for a tick must free nothing.
     pub fn set_model(&mut self, mut model: Box<dyn ContactModel>) -> Box<dyn ContactModel> {
         model.take_over(self.model.proxy());
-        // Where the proxy is to begin anew at the hand, there is no force to go on from.
-        if self.last_goal.is_some() {
-            self.slew.engage(Force { newtons: self.latest.force });
-        }
+        self.slew.engage(Force { newtons: self.latest.force });
         std::mem::replace(&mut self.model, model)
     }
 

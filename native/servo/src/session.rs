@@ -241,7 +241,7 @@ impl Session {
     /// Lays the workspace elsewhere, from the next tick on. The proxy then begins anew at the hand.
     pub fn set_window(&mut self, window: Window) -> Result<(), SessionError> {
         let frame = Frame::new(window, self.workspace_width, self.grid.layout())?;
-        self.command(Command::SetWindow(frame))?;
+        self.command(Command::Window(frame))?;
         self.window = window;
         Ok(())
     }
@@ -250,7 +250,7 @@ impl Session {
     /// proxy is, and the force changes no faster than its slew limit.
     pub fn set_model(&mut self, model: Box<dyn ContactModel>) -> Result<(), SessionError> {
         let name = model.name();
-        self.command(Command::SetModel(model))?;
+        self.command(Command::Model(model))?;
         self.model = name;
         Ok(())
     }
@@ -265,7 +265,7 @@ impl Session {
         check::finite("target x", target[0])?;
         check::finite("target y", target[1])?;
         check::finite("target z", target[2])?;
-        self.command(Command::SetTarget(target))
+        self.command(Command::Target(target))
     }
 
     /// The newest tick. Also looks whether the grid's file has been cut, which the servo cannot.
