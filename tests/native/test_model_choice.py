@@ -10,7 +10,6 @@ from proxygraph import (
     MODELS,
     ContactModel,
     Session,
-    SessionError,
     SimulatedDevice,
     Ticks,
     Window,
@@ -154,20 +153,6 @@ def test_a_live_session_switches() -> None:
         assert session.state().in_contact
     session.stop()
     assert session.fault is None
-
-
-def test_too_many_switches_at_once_are_refused_in_words() -> None:
-    session = touch(flat(), pressing())
-    session.start()
-
-    def switch_without_end() -> None:
-        while True:
-            session.set_model("proxy_graph")
-
-    with pytest.raises(SessionError, match="commands wait"):
-        switch_without_end()
-    wait_until(lambda: session.state().model == "proxy_graph")
-    session.stop()
 
 
 def test_a_switch_works_on_a_window_off_the_map() -> None:
