@@ -16,7 +16,7 @@ from proxygraph import (
     model_descriptions,
 )
 
-from tests.native.grounds import flat, ground, hills
+from tests.native.grounds import SIDE, flat, ground, hills
 from tests.native.touching import over_the_middle, pressing, rows, touch, wait_until, wandering
 
 SLEW = 8.0 / 0.05 * 0.001
@@ -98,17 +98,29 @@ def test_a_sessions_sphere_has_a_radius_of_a_millimetre() -> None:
 
 
 def test_sub_steps_follow_a_fast_hand_more_faithfully() -> None:
-    grid, exaggerated = hills(), 5.0
-    start, goal = (10.3, -10.4), (30.6, -20.2, -3.0)
+    sines = [math.sin(1.7 * number * number) for number in range(SIDE)]
+    rough = ground(
+        [[3.0 * sines[(row * 37 + column * 11) % SIDE] for column in range(SIDE)] for row in range(SIDE)]
+    )
 
-    def end(sub_step: float | None) -> tuple[float, float, float]:
-        model = ContactModel(grid, exaggeration=exaggerated, sub_step=sub_step)
-        model.place(*start, 10.0)
-        model.update(*start, -3.0)
-        return model.update(*goal).proxy
+    def ends(sub_step: float | None) -> list[tuple[float, float, float]]:
+        found = []
+        for number in range(1, 40):
+            model = ContactModel(rough, sub_step=sub_step)
+            model.place(20.3, -20.4, 10.0)
+            model.update(20.3, -20.4, -4.0)
+            around = 0.16 * number
+            found.append(
+                model.update(20.3 + 13.4 * math.cos(around), -20.4 + 13.4 * math.sin(around), -4.0).proxy
+            )
+        return found
 
-    faithful = end(0.01)
-    assert math.dist(end(0.25), faithful) < math.dist(end(None), faithful)
+    faithful = ends(0.1)
+
+    def error(sub_step: float | None) -> float:
+        return sum(math.dist(end, best) for end, best in zip(ends(sub_step), faithful, strict=True))
+
+    assert error(0.25) < error(1.0) < error(None)
 
 
 @pytest.mark.parametrize(("one", "other"), list(permutations(MODELS, 2)))
