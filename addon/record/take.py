@@ -12,6 +12,9 @@ from .resample import keys_before_jumps, ticks_at_frames
 
 NAME = "Touch Take"
 
+MODELS = "haptic_terrain_models"
+"""ID property of a take: the contact models that answered, in their order."""
+
 
 def add_take(
     scene: bpy.types.Scene, recording: Recording, placement: Placement
@@ -50,5 +53,6 @@ def _object(scene: bpy.types.Scene, recording: Recording, placement: Placement) 
     size = SIZE * placement.longest_side(recording.touch.grid.layout)
     take.scale = (size, size, size)
     take.rotation_euler = placement.rotation.to_euler()
+    take[MODELS] = ", ".join(recording.models)
     scene.collection.objects.link(take)
     return take

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import bpy
 from proxygraph import Grid, Session
@@ -35,11 +35,23 @@ class Readout:
     missed_ticks: int
 
 
+@dataclass(frozen=True)
+class ModelChoice:
+    """A contact model and its knobs, as ``Session`` takes them."""
+
+    model: str
+    sub_step: float | None
+    """Cells; of the surface walk."""
+    radius: float | None
+    """Workspace metres; of the virtual proxy."""
+
+
 @dataclass
 class Touch:
     """A hand on a terrain."""
 
     session: Session
+    model: ModelChoice
     grid: Grid
     georeference: Georeference
     frame: TerrainFrame
@@ -67,6 +79,8 @@ class Recording:
     """Ticks that the session had lost when the take began."""
     dropped: int = 0
     """Ticks that the take lost."""
+    models: list[str] = field(default_factory=list)
+    """Contact models that answered, in their order."""
 
 
 @dataclass
@@ -76,7 +90,7 @@ class Live:
     touch: Touch | None = None
     recording: Recording | None = None
     message: str = ""
-    """Why touch ended by itself; empty where it did not."""
+    """Why touch ended by itself, or does not do what was chosen; empty where all is well."""
     rendering: bool = False
     """Nothing is written to the scene while it is rendered."""
 

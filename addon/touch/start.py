@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import asdict
+
 import bpy
 from proxygraph import Grid, ScriptedDevice, Session, SessionError, SimulatedDevice, Window
 
@@ -13,6 +15,7 @@ from ..terrain.undone import undone_on_failure
 from .error import TouchError
 from .handle import Handle
 from .live import Touch, live
+from .model import chosen_model
 from .placement import Placement
 from .stop import stop_touch
 from .target import above_ground, add_target, target_object, target_place
@@ -92,8 +95,10 @@ def _touch(
         target = Handle.to(empty)
         place = above_ground(_place(empty, placement, grid), grid, window)
         device = SimulatedDevice(target=to_workspace(place, window, workspace[0]))
+    model = chosen_model(scene)
     return Touch(
-        session=Session(grid, device, window),
+        session=Session(grid, device, window, **asdict(model)),
+        model=model,
         grid=grid,
         georeference=kept.grid.georeference,
         frame=kept.frame,

@@ -36,4 +36,6 @@ def collect_ticks(touch: Touch) -> None:
     recording = live.recording
     if recording is not None and recording.touch is touch:
         recording.recorder.add(ticks)
+        if touch.session.model not in recording.models[-1:]:
+            recording.models.append(touch.session.model)
         recording.dropped = touch.session.statistics().dropped - recording.dropped_before

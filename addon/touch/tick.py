@@ -16,6 +16,7 @@ from ..terrain.frame import is_on_map
 from ..terrain.view import redraw
 from .cursor import SIZE, cursor_object, show_cursor
 from .live import Readout, Touch, live
+from .model import keep_model
 from .placement import Placement
 from .stop import collect_ticks, stop_touch
 from .target import target_place
@@ -42,6 +43,8 @@ def tick() -> None:
     if not placement.is_usable:
         stop_touch(f"Touch stopped: {UNUSABLE}")
         return
+    # The setting calls this at once; undo changes settings without telling them.
+    keep_model(touch, scene)
     # As many commands may wait as the servo takes at a time: the next tick tells it the same, or better.
     with suppress(SessionError):
         _keep_exaggeration(touch, placement)

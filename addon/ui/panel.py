@@ -7,6 +7,7 @@ import bpy
 from ..terrain.kept import KeptError, recall
 from ..touch.error import TouchError
 from ..touch.live import Readout, live
+from ..touch.model import SPHERE, WALK
 from ..touch.placement import Placement
 from ..touch.start import chosen_terrain
 from .import_operator import HAPTIC_TERRAIN_OT_import_grid
@@ -68,9 +69,11 @@ class HAPTIC_TERRAIN_PT_touch(bpy.types.Panel):
         if live.touch is None:
             layout.prop(context.scene.haptic_terrain, "device")
             layout.prop(context.scene.haptic_terrain, "window_width", text="Width in km (0 = all)")
+            _draw_model(layout, context.scene)
             layout.operator(HAPTIC_TERRAIN_OT_touch_start.bl_idname, icon="PLAY")
             return
         layout.operator(HAPTIC_TERRAIN_OT_touch_stop.bl_idname, icon="SNAP_FACE")
+        _draw_model(layout, live.touch.scene.find())
         if live.touch.target is not None and live.touch.target.find() is None:
             _draw_message(layout, "The Touch Target is gone: stop touch and start it again.")
         if live.touch.readout is not None:
@@ -132,6 +135,18 @@ def _place_lines(readout: Readout, exaggeration: float) -> list[tuple[str, str]]
         ("Latitude", f"{abs(readout.latitude):.3f}\N{DEGREE SIGN} {north_or_south}"),
         ("Elevation", elevation),
     ]
+
+
+def _draw_model(layout: bpy.types.UILayout | None, scene: bpy.types.Scene | None) -> None:
+    """Offer the contact models, and the knob of the chosen one."""
+    if layout is None or scene is None:
+        return
+    settings = scene.haptic_terrain
+    layout.prop(settings, "contact_model")
+    if settings.contact_model == WALK:
+        layout.prop(settings, "sub_step")
+    elif settings.contact_model == SPHERE:
+        layout.prop(settings, "radius", text="Radius in mm")
 
 
 def _draw_message(layout: bpy.types.UILayout | None, message: str) -> None:

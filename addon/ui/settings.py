@@ -3,6 +3,17 @@
 from __future__ import annotations
 
 import bpy
+from proxygraph import MODELS, model_descriptions
+
+from ..touch.live import live
+from ..touch.model import keep_model
+
+
+def _switch(settings: HapticTerrainSettings, _context: bpy.types.Context) -> None:
+    """Let the hand that is on the terrain feel the choice at once."""
+    touched = live.touch.scene.find() if live.touch is not None else None
+    if live.touch is not None and touched is not None and touched == settings.id_data:
+        keep_model(live.touch, touched)
 
 
 class HapticTerrainSettings(bpy.types.PropertyGroup):
@@ -20,6 +31,34 @@ class HapticTerrainSettings(bpy.types.PropertyGroup):
         description="Kilometres of terrain within reach, around the Touch Target; 0 is the whole map",
         default=0.0,
         min=0.0,
+    )
+    contact_model: bpy.props.EnumProperty(
+        name="Contact Model",
+        description="How the point that is felt follows the hand over the ground; change it while you touch",
+        items=[
+            (name, name.replace("_", " ").title(), description)
+            for name, description in model_descriptions().items()
+        ],
+        default=MODELS[0],
+        update=_switch,
+    )
+    sub_step: bpy.props.EnumProperty(
+        name="Sub-Steps",
+        description="How far a fast hand is followed at a time: small steps are more faithful, and slower",
+        items=[
+            ("OFF", "Off", "All the way at once"),
+            ("CELL", "1 Cell", "At most a cell of the grid at a time"),
+            ("QUARTER", "1/4 Cell", "At most a quarter of a cell at a time"),
+        ],
+        update=_switch,
+    )
+    radius: bpy.props.FloatProperty(
+        name="Radius",
+        description="Of the sphere that is felt with, in millimetres of the hand's motion",
+        default=1.0,
+        min=0.01,
+        max=50.0,
+        update=_switch,
     )
     trail: bpy.props.BoolProperty(
         name="Trail",

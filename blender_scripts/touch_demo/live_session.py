@@ -13,6 +13,7 @@ from dataclasses import dataclass
 import bpy
 from proxygraph import ScriptedDevice, Session, Statistics, Window
 
+from touch_demo.counts import Counts
 from touch_demo.extension import Extension
 from touch_demo.hand_path import HandPath
 
@@ -25,35 +26,14 @@ class TouchEndedError(RuntimeError):
 
 
 @dataclass
-class Counts:
-    """What happened in some updates."""
-
-    ticks: int = 0
-    goal_cells: float = 0.0
-    vertices: int = 0
-    collision_tests: int = 0
-
-    def add(self, before: Statistics, after: Statistics) -> None:
-        """Count what happened between two looks."""
-        self.ticks += after.ticks - before.ticks
-        self.goal_cells += after.goal_cells - before.goal_cells
-        self.vertices += after.vertices - before.vertices
-        self.collision_tests += after.collision_tests - before.collision_tests
-
-    def per_tick(self, count: float) -> float:
-        """A mean; 0 where nothing was counted."""
-        return count / self.ticks if self.ticks else 0.0
-
-
-@dataclass
 class LiveTouch:
     """What the session and the take left behind."""
 
     statistics: Statistics
     seconds: float
     """Of the servo's clock."""
-    whole: Counts
     swipes: Counts
+    contact_model: str
     keyframes: int
     """Of all curves together."""
     take: bpy.types.Object
@@ -82,12 +62,11 @@ def touch_live(
         statistics, seconds = session.statistics(), session.state().time
         extension.tick.tick()
         written = extension.recording.stop_recording(bpy.context, trail=True)
-    whole = Counts(statistics.ticks, statistics.goal_cells, statistics.vertices, statistics.collision_tests)
     return LiveTouch(
         statistics=statistics,
         seconds=seconds,
-        whole=whole,
         swipes=swipes,
+        contact_model=session.model,
         keyframes=3 * written.keyframes,
         take=written.take,
         trail=written.trail,

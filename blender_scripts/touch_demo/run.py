@@ -17,6 +17,7 @@ from touch_demo.extension import Extension
 from touch_demo.hand_path import Ground, hand_path, windows
 from touch_demo.live_session import LiveTouch, touch_live
 from touch_demo.picture import Frame, open_scene, render_picture, set_up_picture
+from touch_demo.replay import replay
 from touch_demo.report import report, table
 from touch_demo.tour import Tour, tour_of
 
@@ -76,7 +77,9 @@ def run(staged: Stage, folder: Path, say: Callable[[str], None]) -> str:
     path = hand_path(ground, tour, chosen, WORKSPACE[0])
     say(f"Touching for {path.seconds:.1f} s at 1 kHz, with {len(path.swipes)} fast swipes first")
     touched = touch_live(staged.extension, staged.terrain, path, chosen, WORKSPACE, say)
-    figures = report(staged.kept, staged.extent, touched)
+    say("Stepping two contact models along the same path")
+    replayed = replay(ground.grid, path, chosen, WORKSPACE)
+    figures = report(staged.kept, staged.extent, touched, replayed)
 
     _frame_range(touched)
     set_up_picture(staged.terrain, touched.trail, _picture_frame(staged.kept, ground, tour, touched))

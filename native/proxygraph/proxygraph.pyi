@@ -15,6 +15,13 @@ from typing import Literal, final
 
 __version__: str
 
+MODELS: tuple[str, ...]
+"""The names of the contact models, the default first: ``surface_walk proxy_graph god_object
+god_object_release virtual_proxy``."""
+
+def model_descriptions() -> dict[str, str]:
+    """A line on each contact model for those who choose, by name, in the order of ``MODELS``."""
+
 SampleType = Literal["i16", "u16", "i32", "f32", "f64"]
 ByteOrder = Literal["big", "little"]
 Feature = Literal["free", "face", "edge", "vertex"]
@@ -182,6 +189,9 @@ class Contact:
     def vertices(self) -> int:
         """Vertices visited by constrained minimisation (paper 4.4)."""
     @property
+    def faces(self) -> int:
+        """Triangles that the surface walk looked at to find its way."""
+    @property
     def collision_tests(self) -> int:
         """Free-space minimisations begun, each one collision test (paper 4.4)."""
     @property
@@ -199,19 +209,40 @@ class Contact:
         """Cells still between proxy and goal when the step budget ran out; 0 where the update finished."""
 
 @final
-class ProxyGraph:
-    """The contact model of the paper, without a servo, for comparisons and scripts.
+class ContactModel:
+    """A contact model without a servo, for comparisons and scripts.
 
     Args:
         grid: what is touched.
+        model: one of ``MODELS``.
         scale: workspace metres per metre of terrain.
         exaggeration: of heights; it changes which point is nearest, as in the paper.
-        step_budget: vertices plus free-space cells that one update may visit, at least 1.
+        step_budget: steps (vertices, faces or changes of constraints, and free-space cells) that one update
+            may take, at least 1; ``None`` is the model's default. What is left is walked in the next updates.
+        sub_step: of ``surface_walk`` only: within an update the goal moves no further than this many cells at a
+            time, which follows a fast hand more faithfully and costs time; ``None`` moves it in one step.
+        radius: of ``virtual_proxy`` only: of its sphere, workspace metres; ``None`` is half a cell's width.
+
+    Raises:
+        ValueError: naming what was given, and what was expected; a knob that the model does not have too.
     """
 
     def __init__(
-        self, grid: Grid, *, scale: float = 1.0, exaggeration: float = 1.0, step_budget: int = 4096
+        self,
+        grid: Grid,
+        model: str = "surface_walk",
+        *,
+        scale: float = 1.0,
+        exaggeration: float = 1.0,
+        step_budget: int | None = None,
+        sub_step: float | None = None,
+        radius: float | None = None,
     ) -> None: ...
+    @property
+    def name(self) -> str:
+        """One of ``MODELS``."""
+    @property
+    def step_budget(self) -> int: ...
     def place(self, east: float, north: float, up: float) -> None:
         """Put the proxy there, out of contact (terrain frame, metres)."""
     def update(self, east: float, north: float, up: float) -> Contact:
@@ -307,6 +338,9 @@ class State:
         """Newtons, workspace frame, as sent to the device."""
     @property
     def mode(self) -> Literal["normal"]: ...
+    @property
+    def model(self) -> str:
+        """The contact model in charge, one of ``MODELS``."""
 
 @final
 class Statistics:
@@ -321,6 +355,8 @@ class Statistics:
     def contact_ticks(self) -> int: ...
     @property
     def vertices(self) -> int: ...
+    @property
+    def faces(self) -> int: ...
     @property
     def collision_tests(self) -> int: ...
     @property
@@ -360,7 +396,7 @@ class Ticks:
 
     columns: tuple[str, ...]
     """``tick time hand_x hand_y hand_z goal_east goal_north goal_up proxy_east proxy_north proxy_up
-    force_x force_y force_z feature vertices collision_tests cells`` (feature: 0 free, 1 face, 2 edge,
+    force_x force_y force_z feature vertices faces collision_tests cells`` (feature: 0 free, 1 face, 2 edge,
     3 vertex)."""
     def __len__(self) -> int: ...
     def column(self, name: str) -> memoryview:
@@ -370,16 +406,19 @@ class Ticks:
 class Session:
     """A grid, a device and a contact model in one loop: 1 kHz live, or stepped.
 
-    Forces: spring from the hand to the proxy, clamped. Dropping the object stops the thread after a last zero force.
+    Forces: spring from the hand to the proxy, clamped; after a switch of models they change by no more than
+    ``max_force`` in 50 ms until they are what the new model wants. Dropping the object stops the thread after a
+    last zero force.
 
     Args:
         grid: what is touched. device: is taken over; a device serves one session.
         window: where the workspace lies. stiffness: of the spring, N/m.
         max_force: N; the device's own limit holds too. ring_seconds: ticks kept for ``drain``.
-        step_budget: see ProxyGraph.
+        model, step_budget, sub_step: see ContactModel.
+        radius: of ``virtual_proxy`` only: of its sphere, workspace metres; ``None`` is 1 mm.
 
     Raises:
-        ValueError: naming the number that cannot be used; the device is not taken then.
+        ValueError: naming the name or number that cannot be used; the device is not taken then.
         SessionError: the device already serves a session.
     """
 
@@ -392,7 +431,10 @@ class Session:
         stiffness: float = 500.0,
         max_force: float = 8.0,
         ring_seconds: float = 60.0,
-        step_budget: int = 4096,
+        model: str = "surface_walk",
+        step_budget: int | None = None,
+        sub_step: float | None = None,
+        radius: float | None = None,
     ) -> None: ...
     def start(self) -> None:
         """Run at 1 kHz on a thread of its own. Raises SessionError when it already runs or has faulted."""
@@ -412,6 +454,24 @@ class Session:
     def window(self) -> Window: ...
     def set_window(self, window: Window) -> None:
         """Lay the workspace elsewhere from the next tick on; the proxy begins anew at the hand."""
+    @property
+    def model(self) -> str:
+        """The contact model that was chosen last, one of ``MODELS``."""
+    def set_model(
+        self,
+        model: str,
+        *,
+        step_budget: int | None = None,
+        sub_step: float | None = None,
+        radius: float | None = None,
+    ) -> None:
+        """Let another contact model answer from the next tick on, also in mid-touch; see ContactModel.
+
+        It goes on from where the proxy is, and the force follows without a jolt. A knob that is left out is
+        the default again.
+
+        Raises ValueError as the constructor does, SessionError when too many commands wait already.
+        """
     def set_target(self, x: float, y: float, z: float) -> None:
         """Where the simulated hand is pulled (workspace metres); other devices ignore it.
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from proxygraph import ProxyGraph
+from proxygraph import ContactModel
 
 from tests.bench.grounds import Ground
 from tests.bench.hand import wander
@@ -56,7 +56,7 @@ def measure(ground: Ground, exaggeration: float, speed: float) -> Quality:
     cell = ground.grid.layout.cell_width
     row = ground.grid.layout.cell_height
     oracle = ground.oracle(exaggeration)
-    model = ProxyGraph(ground.grid, scale=1.0 / cell, exaggeration=exaggeration)
+    model = ContactModel(ground.grid, "proxy_graph", scale=1.0 / cell, exaggeration=exaggeration)
     up = cell / exaggeration
     quality = Quality()
     before: tuple[Vector, float] | None = None

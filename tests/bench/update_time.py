@@ -68,7 +68,7 @@ def contender(ground: Ground, exaggeration: int, speed: float, *, touches: bool)
     width = WORKSPACE[0] / HAND * layout.cell_width
     window = Window(0.0, 0.0, 0.0, width=width, exaggeration=exaggeration)
     device = ScriptedDevice(path, workspace=WORKSPACE)
-    session = Session(ground.grid, device, window, ring_seconds=TICKS / 1000.0)
+    session = Session(ground.grid, device, window, ring_seconds=TICKS / 1000.0, model="proxy_graph")
     return Contender(session, touches, exaggeration, speed)
 
 

@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 from proxygraph import Grid, GridLayout, Window
 from touch_demo.hand_path import SWIPE_CELLS_PER_UPDATE, Ground, HandPath, hand_path, windows
+from touch_demo.replay import MODELS, parts, replay
 from touch_demo.tour import MARS, SYNTHETIC, Tour, tour_of
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -78,6 +79,27 @@ def test_swipes_are_as_fast_as_the_papers(path: HandPath, ground: Ground, chosen
         assert travelled / cell > 0.9 * ground.grid.layout.columns
         updates = (end - begin) * 1000.0
         assert travelled / cell / updates == pytest.approx(SWIPE_CELLS_PER_UPDATE, rel=0.01)
+
+
+def test_the_replay_has_every_millisecond_of_the_path_once(path: HandPath) -> None:
+    cut = list(parts(path))
+    assert sum(part.ticks for part in cut) == round(path.seconds * 1000.0)
+    assert all(part.ticks > 0 for part in cut)
+    swiped = [part.ticks for part in cut if part.is_swipe]
+    assert swiped == [round(1000.0 * (end - begin)) for begin, end in path.swipes]
+    assert [part.window for part in cut] == [0] * (len(cut) - 1) + [1]
+    assert sum(part.ticks for part in cut[:-1]) == round(path.explore_at * 1000.0)
+
+
+def test_replayed_models_get_the_same_goals(path: HandPath, ground: Ground, chosen: list[Window]) -> None:
+    found = replay(ground.grid, path, chosen, WORKSPACE)
+    assert tuple(found) == MODELS
+    walk, graph = (found[model] for model in MODELS)
+    for one, other in ((walk.statistics, graph.statistics), (walk.swipes, graph.swipes)):
+        assert (one.ticks, one.goal_cells) == (other.ticks, other.goal_cells)
+        assert 0 < one.contact_ticks <= one.ticks
+    assert graph.swipes.goal_cells / graph.swipes.ticks == pytest.approx(SWIPE_CELLS_PER_UPDATE, rel=0.01)
+    assert graph.swipes.vertices > graph.swipes.ticks
 
 
 def test_hand_stays_within_reach(path: HandPath) -> None:

@@ -10,7 +10,7 @@ from array import array
 from pathlib import Path
 
 import pytest
-from proxygraph import Grid, GridError, GridLayout, ProxyGraph
+from proxygraph import ContactModel, Grid, GridError, GridLayout
 
 from tests.native.touching import over_the_middle, pressing, touch
 
@@ -58,7 +58,7 @@ def test_a_change_in_the_buffer_is_seen_and_felt() -> None:
     buffer = bytearray(BYTES)
     grid = Grid.from_buffer(buffer, LAYOUT)
     assert grid.elevation(1, 1) == 5
-    model = ProxyGraph(grid)
+    model = ContactModel(grid)
     model.place(1.2, -0.9, 50.0)
     before = model.update(1.2, -0.9, -50.0).proxy
     buffer[:] = struct.pack(">6h", *[height + 10 for height in HEIGHTS])
@@ -80,7 +80,7 @@ def test_the_buffer_is_locked_as_long_as_the_grid_lives() -> None:
 
 def test_models_and_sessions_keep_the_buffer_locked() -> None:
     buffer = bytearray(BYTES)
-    model = ProxyGraph(Grid.from_buffer(buffer, LAYOUT))
+    model = ContactModel(Grid.from_buffer(buffer, LAYOUT))
     with pytest.raises(BufferError):
         buffer.clear()
     del model

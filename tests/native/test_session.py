@@ -67,8 +67,11 @@ def test_statistics_are_the_sums_of_the_ticks() -> None:
     session.step(900)
     counts, ticks = session.statistics(), session.drain()
     assert counts.ticks == len(ticks) == 900
-    for name in ("vertices", "collision_tests", "cells"):
-        assert getattr(counts, name) == sum(ticks.column(name)) > 0
+    for name in ("vertices", "faces", "collision_tests", "cells"):
+        assert getattr(counts, name) == sum(ticks.column(name))
+    assert counts.vertices + counts.faces > 0
+    assert counts.collision_tests > 0
+    assert counts.cells > 0
     assert counts.contact_ticks == sum(feature > 0 for feature in ticks.column("feature"))
     places = zip(ticks.column("goal_east"), ticks.column("goal_north"), strict=True)
     way = sum(math.dist(one, other) for one, other in pairwise(places))

@@ -15,6 +15,12 @@ from tests.native.touching import touch
 STUB = Path(__file__).resolve().parents[2] / "native" / "proxygraph" / "proxygraph.pyi"
 TREE = ast.parse(STUB.read_text("utf-8"))
 CLASSES = {node.name: node for node in TREE.body if isinstance(node, ast.ClassDef)}
+FUNCTIONS = {node.name: node for node in TREE.body if isinstance(node, ast.FunctionDef)}
+CONSTANTS = {
+    node.target.id: node
+    for node in TREE.body
+    if isinstance(node, ast.AnnAssign) and isinstance(node.target, ast.Name)
+}
 
 
 def is_property(node: ast.FunctionDef) -> bool:
@@ -57,7 +63,7 @@ def module_parameters(callable_: object) -> list[tuple[str, str, object]]:
 
 
 def test_both_have_the_same_public_names() -> None:
-    assert set(proxygraph.__all__) - {"__version__"} == set(CLASSES)  # type: ignore[attr-defined]
+    assert set(proxygraph.__all__) == {*CLASSES, *FUNCTIONS, *CONSTANTS}  # type: ignore[attr-defined]
     assert proxygraph.__version__.count(".") == 2
 
 
@@ -66,6 +72,20 @@ def test_both_have_the_same_members(name: str) -> None:
     in_module = {member for member in vars(getattr(proxygraph, name)) if not member.startswith("_")}
     in_stub = {member for member in members(CLASSES[name]) if not member.startswith("_")}
     assert in_module == in_stub
+
+
+@pytest.mark.parametrize("name", FUNCTIONS)
+def test_functions_have_the_same_parameters(name: str) -> None:
+    places = [place.arg for place in FUNCTIONS[name].args.args]
+    assert list(inspect.signature(getattr(proxygraph, name)).parameters) == places
+
+
+def test_the_names_of_the_models_are_told() -> None:
+    after = TREE.body[TREE.body.index(CONSTANTS["MODELS"]) + 1]
+    assert isinstance(after, ast.Expr)
+    assert isinstance(after.value, ast.Constant)
+    assert isinstance(after.value.value, str)
+    assert tuple(after.value.value.split("``")[1].split()) == proxygraph.MODELS
 
 
 @pytest.mark.parametrize("name", CLASSES)

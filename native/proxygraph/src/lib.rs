@@ -1,6 +1,7 @@
 //! The Python module `proxygraph`: converts and names, decides nothing. Its contract, with shapes,
 //! units and errors, is `proxygraph.pyi`.
 
+mod choice;
 mod devices;
 mod errors;
 mod grid;
@@ -11,10 +12,13 @@ mod state;
 mod ticks;
 
 use pyo3::prelude::*;
+use pyo3::types::PyTuple;
 
 #[pymodule(name = "proxygraph")]
 mod module {
     use super::*;
+    #[pymodule_export]
+    use crate::choice::model_descriptions;
     #[pymodule_export]
     use crate::devices::{ScriptedDevice, SimulatedDevice};
     #[pymodule_export]
@@ -22,7 +26,7 @@ mod module {
     #[pymodule_export]
     use crate::grid::{Grid, GridLayout, GridRange};
     #[pymodule_export]
-    use crate::model::{Contact, ProxyGraph};
+    use crate::model::{Contact, ContactModel};
     #[pymodule_export]
     use crate::session::{Session, Window};
     #[pymodule_export]
@@ -32,6 +36,7 @@ mod module {
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        module.add("MODELS", PyTuple::new(module.py(), crate::choice::names())?)?;
         module.add("__version__", env!("CARGO_PKG_VERSION"))
     }
 }

@@ -1,28 +1,41 @@
 //! Contact models without a servo.
 
+use crate::choice::{Choice, DEFAULT, Knobs};
 use crate::errors::value_error;
 use crate::grid::Grid;
 use crate::numbers::Whole;
-use contact::{ContactModel, Feature};
+use contact::Feature;
 use pyo3::prelude::*;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 use surface::Metric;
 
-/// The contact model of the paper.
+/// A contact model and the grid that it touches.
 #[pyclass(module = "proxygraph")]
-pub struct ProxyGraph {
+pub struct ContactModel {
     grid: Arc<surface::Grid>,
     metric: Metric,
-    model: contact::ProxyGraph,
+    /// Never contended: it makes the model one that threads may share, as Python's objects are.
+    model: Mutex<Box<dyn contact::ContactModel>>,
+    name: &'static str,
+    step_budget: u32,
 }
 
 #[pymethods]
-impl ProxyGraph {
+impl ContactModel {
     #[new]
-    #[pyo3(signature = (grid, *, scale=1.0, exaggeration=1.0, step_budget=Whole(4096)),
-        text_signature = "(grid, *, scale=1.0, exaggeration=1.0, step_budget=4096)")]
-    fn new(grid: &Grid, scale: f64, exaggeration: f64, step_budget: Whole) -> PyResult<Self> {
-        let step_budget = step_budget.positive("step_budget").map_err(value_error)?;
+    #[pyo3(signature = (grid, model=DEFAULT, *, scale=1.0, exaggeration=1.0, step_budget=None,
+        sub_step=None, radius=None),
+        text_signature = "(grid, model='surface_walk', *, scale=1.0, exaggeration=1.0, \
+        step_budget=None, sub_step=None, radius=None)")]
+    fn new(
+        grid: &Grid,
+        model: &str,
+        scale: f64,
+        exaggeration: f64,
+        step_budget: Option<Whole>,
+        sub_step: Option<f64>,
+        radius: Option<f64>,
+    ) -> PyResult<Self> {
         let grid = grid.shared();
         let metric = Metric {
             column: grid.layout().cell_width() * scale,
@@ -34,18 +47,36 @@ impl ProxyGraph {
                 "scale is {scale} and exaggeration is {exaggeration}; expected positive numbers"
             )));
         }
-        Ok(Self { grid, metric, model: contact::ProxyGraph::new(step_budget) })
+        let knobs = Knobs { step_budget, sub_step, radius };
+        let choice = Choice::new(model, &knobs, 0.5 * metric.column)?;
+        let model = choice.build();
+        let (name, step_budget) = (model.name(), choice.step_budget);
+        Ok(Self { grid, metric, model: Mutex::new(model), name, step_budget })
+    }
+
+    #[getter]
+    fn name(&self) -> &'static str {
+        self.name
+    }
+
+    #[getter]
+    fn step_budget(&self) -> u32 {
+        self.step_budget
     }
 
     fn place(&mut self, east: f64, north: f64, up: f64) {
-        self.model.place(self.grid.layout().grid_point([east, north, up]));
+        owned(&mut self.model).place(self.grid.layout().grid_point([east, north, up]));
     }
 
     fn update(&mut self, east: f64, north: f64, up: f64) -> Contact {
         let goal = self.grid.layout().grid_point([east, north, up]);
-        let contact = self.model.update(&self.grid, &self.metric, &goal);
+        let contact = owned(&mut self.model).update(&self.grid, &self.metric, &goal);
         Contact { proxy: self.grid.layout().terrain_place(&contact.proxy).into(), contact }
     }
+}
+
+fn owned<T: ?Sized>(model: &mut Mutex<Box<T>>) -> &mut T {
+    model.get_mut().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// What one update found.
@@ -85,6 +116,11 @@ impl Contact {
     #[getter]
     fn vertices(&self) -> u32 {
         self.contact.counters.vertices
+    }
+
+    #[getter]
+    fn faces(&self) -> u32 {
+        self.contact.counters.faces
     }
 
     #[getter]

@@ -1,5 +1,6 @@
 //! Sessions and the window they look through.
 
+use crate::choice::{Choice, DEFAULT, Knobs, RADIUS_IN_HAND};
 use crate::devices::AnyDevice;
 use crate::errors::{session_refusal, value_error};
 use crate::grid::Grid;
@@ -90,9 +91,10 @@ impl Session {
 impl Session {
     #[new]
     #[pyo3(signature = (grid, device, window, *, stiffness=500.0, max_force=8.0, ring_seconds=60.0,
-        step_budget=Whole(4096)),
+        model=DEFAULT, step_budget=None, sub_step=None, radius=None),
         text_signature = "(grid, device, window, *, stiffness=500.0, max_force=8.0, \
-        ring_seconds=60.0, step_budget=4096)")]
+        ring_seconds=60.0, model='surface_walk', step_budget=None, sub_step=None, radius=None)")]
+    #[expect(clippy::too_many_arguments, reason = "Python's keywords")]
     fn new(
         grid: &Grid,
         device: AnyDevice<'_>,
@@ -100,16 +102,19 @@ impl Session {
         stiffness: f64,
         max_force: f64,
         ring_seconds: f64,
-        step_budget: Whole,
+        model: &str,
+        step_budget: Option<Whole>,
+        sub_step: Option<f64>,
+        radius: Option<f64>,
     ) -> PyResult<Self> {
-        let step_budget = step_budget.positive("step_budget").map_err(value_error)?;
+        let knobs = Knobs { step_budget, sub_step, radius };
+        let choice = Choice::new(model, &knobs, RADIUS_IN_HAND)?;
         let (grid, window) = (grid.shared(), window.window);
         let settings = Settings { stiffness, max_force, ring_seconds };
         // Everything that can be refused is refused before the device is taken.
         settings.validate().map_err(value_error)?;
         Frame::new(window, device.workspace_width(), grid.layout()).map_err(value_error)?;
-        let model = Box::new(contact::ProxyGraph::new(step_budget));
-        let session = servo::Session::new(grid, device.take()?, model, window, settings);
+        let session = servo::Session::new(grid, device.take()?, choice.build(), window, settings);
         Ok(Self { session: Mutex::new(session.map_err(value_error)?) })
     }
 
@@ -151,6 +156,25 @@ impl Session {
 
     fn set_window(&self, py: Python<'_>, window: &Window) -> PyResult<()> {
         self.lock(py).set_window(window.window).map_err(session_refusal)
+    }
+
+    #[getter]
+    fn model(&self, py: Python<'_>) -> &'static str {
+        self.lock(py).model()
+    }
+
+    #[pyo3(signature = (model, *, step_budget=None, sub_step=None, radius=None))]
+    fn set_model(
+        &self,
+        py: Python<'_>,
+        model: &str,
+        step_budget: Option<Whole>,
+        sub_step: Option<f64>,
+        radius: Option<f64>,
+    ) -> PyResult<()> {
+        let knobs = Knobs { step_budget, sub_step, radius };
+        let choice = Choice::new(model, &knobs, RADIUS_IN_HAND)?;
+        self.lock(py).set_model(choice.build()).map_err(session_refusal)
     }
 
     fn set_target(&self, py: Python<'_>, x: f64, y: f64, z: f64) -> PyResult<()> {

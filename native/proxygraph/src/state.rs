@@ -61,6 +61,11 @@ impl State {
     }
 
     #[getter]
+    fn model(&self) -> &'static str {
+        self.state.model
+    }
+
+    #[getter]
     fn mode(&self) -> &'static str {
         self.state.mode.name()
     }
@@ -98,6 +103,11 @@ impl Statistics {
     #[getter]
     fn vertices(&self) -> u64 {
         self.statistics.totals.vertices
+    }
+
+    #[getter]
+    fn faces(&self) -> u64 {
+        self.statistics.totals.faces
     }
 
     #[getter]

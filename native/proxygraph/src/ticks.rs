@@ -10,7 +10,7 @@ use servo::TickRecord;
 /// A column's name and how its value is read from a tick.
 type Column = (&'static str, fn(&TickRecord) -> f64);
 
-const COLUMNS: [Column; 18] = [
+const COLUMNS: [Column; 19] = [
     ("tick", |tick| tick.tick as f64),
     ("time", |tick| tick.time),
     ("hand_x", |tick| tick.hand[0]),
@@ -27,6 +27,7 @@ const COLUMNS: [Column; 18] = [
     ("force_z", |tick| tick.force[2]),
     ("feature", |tick| feature_number(tick.feature)),
     ("vertices", |tick| f64::from(tick.vertices)),
+    ("faces", |tick| f64::from(tick.faces)),
     ("collision_tests", |tick| f64::from(tick.collision_tests)),
     ("cells", |tick| f64::from(tick.cells)),
 ];

@@ -4,6 +4,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 use std::time::Instant;
 
+use contact::ContactModel;
 use devices::NOMINAL_PERIOD;
 use rtrb::{Consumer, Producer};
 use triple_buffer::Input;
@@ -17,6 +18,9 @@ pub(crate) const TICKS_PER_SECOND: f64 = 1000.0;
 /// How many commands may wait for the next tick.
 pub(crate) const COMMANDS: usize = 256;
 
+/// How many retired contact models may wait to be freed: all that one tick can retire.
+pub(crate) const RETIRED: usize = COMMANDS;
+
 /// What the outside sees of the newest tick.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Snapshot {
@@ -27,6 +31,8 @@ pub(crate) struct Snapshot {
 /// The ends of the queues that belong to the loop.
 pub(crate) struct Ports {
     pub(crate) commands: Consumer<Command>,
+    /// Contact models out of use: freeing memory is not for a tick.
+    pub(crate) retired: Producer<Box<dyn ContactModel>>,
     pub(crate) records: Producer<TickRecord>,
     pub(crate) snapshots: Input<Snapshot>,
     pub(crate) update_times: Arc<Histogram>,
@@ -78,9 +84,13 @@ impl Engine {
         self.ports.lateness.record(nanoseconds);
     }
 
+    /// Does what was asked, in order. While no model can be retired, commands wait.
     pub(crate) fn apply_commands(&mut self) {
         // Counted, so that no sender can keep a tick from beginning.
         for _ in 0..COMMANDS {
+            if self.ports.retired.is_full() {
+                return;
+            }
             match self.ports.commands.pop() {
                 Ok(command) => self.apply(command),
                 Err(_) => return,
@@ -88,10 +98,16 @@ impl Engine {
         }
     }
 
+    /// Does one thing. There must be room to retire a model.
     pub(crate) fn apply(&mut self, command: Command) {
         match command {
-            Command::SetWindow(frame) => self.servo.set_frame(frame),
-            Command::SetTarget(target) => self.servo.set_target(target),
+            Command::Window(frame) => self.servo.set_frame(frame),
+            Command::Target(target) => self.servo.set_target(target),
+            Command::Model(model) => {
+                let retired = self.servo.set_model(model);
+                // Room was made before, so that nothing is freed here.
+                let _ = self.ports.retired.push(retired);
+            }
         }
     }
 
@@ -118,7 +134,7 @@ impl Engine {
     fn publish(&mut self) {
         let totals =
             Totals { missed_ticks: self.missed, dropped: self.dropped, ..*self.servo.totals() };
-        let state = State::from(self.servo.latest());
+        let state = State::new(self.servo.latest(), self.servo.model());
         self.ports.snapshots.write(Snapshot { state, totals });
     }
 
@@ -130,4 +146,57 @@ impl Engine {
 /// A time that no u64 holds is longer than all that is counted anyway.
 fn nanoseconds_since(begin: Instant) -> u64 {
     u64::try_from(begin.elapsed().as_nanos()).unwrap_or(u64::MAX)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Frame, Window};
+    use contact::{Model, ProxyGraph};
+    use devices::{Hand, SimulatedDevice};
+    use rtrb::RingBuffer;
+    use surface::{ByteOrder, Grid, GridLayout, SampleType};
+    use triple_buffer::triple_buffer;
+
+    fn servo() -> Servo {
+        let layout =
+            GridLayout::packed(2, 2, 1.0, 1.0, SampleType::F64, ByteOrder::Little).unwrap();
+        let window = Window::new(0.0, 0.0, 0.0, 1.0, 1.0).unwrap();
+        let frame = Frame::new(window, 0.16, &layout).unwrap();
+        let grid = Arc::new(Grid::from_vec(vec![0; 32], layout).unwrap());
+        let device = Box::new(SimulatedDevice::new(Hand::default()).unwrap());
+        Servo::new(device, Box::new(ProxyGraph::new(1)), grid, frame, 500.0, 8.0).unwrap()
+    }
+
+    #[test]
+    fn where_no_model_can_be_retired_commands_wait_in_their_order() {
+        let servo = servo();
+        let state = State::new(servo.latest(), servo.model());
+        let (mut commands, commands_taken) = RingBuffer::new(8);
+        let (retired_given, mut retired) = RingBuffer::new(1);
+        let ports = Ports {
+            commands: commands_taken,
+            retired: retired_given,
+            records: RingBuffer::new(8).0,
+            snapshots: triple_buffer(&Snapshot { state, totals: Totals::default() }).0,
+            update_times: Arc::new(Histogram::new()),
+            lateness: Arc::new(Histogram::new()),
+        };
+        let mut engine = Engine::new(servo, ports);
+        for _ in 0..2 {
+            let model = Model::default().build(1);
+            assert!(commands.push(Command::Model(model)).is_ok());
+        }
+        assert!(commands.push(Command::Target([0.0; 3])).is_ok());
+        engine.tick();
+        assert_eq!((commands.slots(), retired.slots()), (6, 1));
+        engine.tick();
+        assert_eq!((commands.slots(), retired.slots()), (6, 1), "nothing is freed, nothing lost");
+        assert!(retired.pop().is_ok());
+        engine.tick();
+        assert_eq!((commands.slots(), retired.slots()), (7, 1), "the target waits behind it");
+        assert!(retired.pop().is_ok());
+        engine.tick();
+        assert_eq!((commands.slots(), retired.slots()), (8, 0));
+    }
 }

@@ -21,6 +21,8 @@ pub struct TickRecord {
     pub feature: Feature,
     /// Vertices visited by constrained minimisation.
     pub vertices: u32,
+    /// Triangles that the surface walk looked at.
+    pub faces: u32,
     /// Free-space minimisations begun.
     pub collision_tests: u32,
     /// Grid cells that the collision tests went through.
@@ -40,6 +42,7 @@ impl TickRecord {
             force: [0.0; 3],
             feature: Feature::Free,
             vertices: 0,
+            faces: 0,
             collision_tests: 0,
             cells: 0,
         }

@@ -7,14 +7,15 @@ use contact::{Contact, ContactModel, Feature};
 use devices::{Capabilities, Device, Force, ParameterError, Pose};
 use surface::{Grid, GridPoint};
 
-use crate::force::{limited, spring, stable_stiffness};
+use crate::force::{SlewLimit, limited, spring, stable_stiffness};
 use crate::frame::ground_cells;
 use crate::{Fault, Frame, TickRecord, Totals};
 
 /// A device, a contact model and a grid, joined by a spring from the hand to the proxy.
 ///
 /// The force passes through the same gates in every tick: finite or zero, never above the limit,
-/// zero for ever after a fault, zero when the servo is dropped.
+/// changing no faster than its slew limit after a switch of models, zero for ever after a fault,
+/// zero when the servo is dropped.
 pub struct Servo {
     device: Box<dyn Device>,
     model: Box<dyn ContactModel>,
@@ -24,6 +25,8 @@ pub struct Servo {
     stiffness: f64,
     /// N.
     max_force: f64,
+    /// Engaged when another contact model takes over.
+    slew: SlewLimit,
     /// The goal of the last tick. `None` while the proxy has still to be placed at the hand.
     last_goal: Option<GridPoint>,
     latest: TickRecord,
@@ -45,13 +48,15 @@ impl Servo {
         let capabilities = device.capabilities();
         capabilities.validate()?;
         let origin = frame.terrain(&frame.goal([0.0; 3]));
+        let max_force = max_force.min(capabilities.max_force);
         Ok(Servo {
             device,
             model,
             grid,
             frame,
             stiffness: stable_stiffness(stiffness, &capabilities),
-            max_force: max_force.min(capabilities.max_force),
+            max_force,
+            slew: SlewLimit::new(max_force),
             last_goal: None,
             latest: TickRecord::at_rest(origin),
             totals: Totals::default(),
@@ -70,6 +75,7 @@ impl Servo {
             time,
             force: [0.0; 3],
             vertices: 0,
+            faces: 0,
             collision_tests: 0,
             cells: 0,
             ..self.latest
@@ -85,7 +91,7 @@ impl Servo {
     /// The tick as it is while nothing is wrong.
     fn exchange(&mut self, time: f64, dt: f64) -> Result<(), Fault> {
         let pose = self.device.read(time)?;
-        let force = self.answer(&pose);
+        let force = self.answer(&pose, dt);
         // Asked after the update: it is in the update that a cut file is noticed.
         if self.grid.damaged() {
             return Err(Fault::GridDamaged);
@@ -95,16 +101,19 @@ impl Servo {
         Ok(())
     }
 
-    /// The force for a pose.
-    fn answer(&mut self, pose: &Pose) -> Force {
+    /// The force for a pose, `dt` seconds after the last one.
+    fn answer(&mut self, pose: &Pose, dt: f64) -> Force {
         let goal = self.frame.goal(pose.position);
         if !(pose.is_finite() && goal.is_finite()) {
-            self.totals.not_finite += 1;
-            return Force::ZERO;
+            return self.distrust();
         }
         // The proxy begins at the hand: no force at first, even where the hand is in the ground.
         match self.last_goal {
-            None => self.model.place(goal),
+            None => {
+                self.model.place(goal);
+                // There is no force to go on from.
+                self.slew.disengage();
+            }
             Some(before) => self.totals.goal_cells += ground_cells(&before, &goal),
         }
         self.last_goal = Some(goal);
@@ -115,7 +124,8 @@ impl Servo {
         }
         self.count(&contact);
         self.report(pose, &goal, &contact);
-        self.pull(&goal, &contact)
+        let wanted = self.pull(&goal, &contact);
+        self.slew.limited(wanted, dt)
     }
 
     /// The spring from the hand to the proxy, through the gates.
@@ -125,23 +135,28 @@ impl Servo {
         }
         let force = spring(self.stiffness, self.frame.displacement(goal, &contact.proxy));
         if !force.is_finite() {
-            self.totals.not_finite += 1;
-            return Force::ZERO;
+            return self.distrust();
         }
         let (force, was_cut) = limited(force, self.max_force);
         self.totals.clamped += u64::from(was_cut);
         force
     }
 
+    /// Something was not finite: no force, at once.
+    fn distrust(&mut self) -> Force {
+        self.totals.not_finite += 1;
+        self.slew.disengage();
+        Force::ZERO
+    }
+
     /// The model lost its proxy: no force, and it begins anew at the hand.
     fn distrust_model(&mut self, pose: &Pose, goal: &GridPoint) -> Force {
-        self.totals.not_finite += 1;
         self.last_goal = None;
         self.latest.hand = pose.position;
         self.latest.goal = self.frame.terrain(goal);
         self.latest.proxy = self.latest.goal;
         self.latest.feature = Feature::Free;
-        Force::ZERO
+        self.distrust()
     }
 
     fn count(&mut self, contact: &Contact) {
@@ -149,6 +164,7 @@ impl Servo {
         let totals = &mut self.totals;
         totals.contact_ticks += u64::from(contact.feature != Feature::Free);
         totals.vertices += u64::from(counters.vertices);
+        totals.faces += u64::from(counters.faces);
         totals.collision_tests += u64::from(counters.collision_tests);
         totals.cells += u64::from(counters.cells);
         totals.far_edge_crossings += u64::from(counters.far_edge_crossings);
@@ -163,6 +179,7 @@ impl Servo {
         self.latest.proxy = self.frame.terrain(&contact.proxy);
         self.latest.feature = contact.feature;
         self.latest.vertices = contact.counters.vertices;
+        self.latest.faces = contact.counters.faces;
         self.latest.collision_tests = contact.counters.collision_tests;
         self.latest.cells = contact.counters.cells;
     }
@@ -190,6 +207,14 @@ impl Servo {
         }
     }
 
+    /// Lets another contact model go on from where the proxy is, the force changing no faster than
+    /// its slew limit. Gives back the one before, for a tick must free nothing.
+    pub fn set_model(&mut self, mut model: Box<dyn ContactModel>) -> Box<dyn ContactModel> {
+        model.take_over(self.model.proxy());
+        self.slew.engage(Force { newtons: self.latest.force });
+        std::mem::replace(&mut self.model, model)
+    }
+
     /// Where a simulated hand shall go (workspace metres).
     pub fn set_target(&mut self, target: [f64; 3]) {
         self.device.set_target(target);
@@ -208,6 +233,11 @@ impl Servo {
     /// The largest force that is sent, N, after the device's limit.
     pub fn max_force(&self) -> f64 {
         self.max_force
+    }
+
+    /// The name of the contact model in charge.
+    pub fn model(&self) -> &'static str {
+        self.model.name()
     }
 
     /// The newest tick.

@@ -10,7 +10,7 @@ use surface::Grid;
 use triple_buffer::{Output, triple_buffer};
 
 use crate::command::Command;
-use crate::engine::{COMMANDS, Engine, Ports, Snapshot, TICKS_PER_SECOND};
+use crate::engine::{COMMANDS, Engine, Ports, RETIRED, Snapshot, TICKS_PER_SECOND};
 use crate::live::Live;
 use crate::{Fault, Frame, Histogram, Servo, State, Statistics, TickRecord, Totals, Window};
 
@@ -86,11 +86,14 @@ pub struct Session {
     place: Place,
     grid: Arc<Grid>,
     window: Window,
+    /// The name of the contact model that was chosen last.
+    model: &'static str,
     /// Metres.
     workspace_width: f64,
     stiffness: f64,
     max_force: f64,
     commands: Producer<Command>,
+    retired: Consumer<Box<dyn ContactModel>>,
     records: Consumer<TickRecord>,
     snapshots: Output<Snapshot>,
     update_times: Arc<Histogram>,
@@ -112,6 +115,7 @@ impl Session {
         let capabilities = device.capabilities();
         capabilities.validate()?;
         let frame = Frame::new(window, capabilities.workspace[0], grid.layout())?;
+        let name = model.name();
         let servo = Servo::new(
             device,
             model,
@@ -123,14 +127,16 @@ impl Session {
 
         let (stiffness, max_force) = (servo.stiffness(), servo.max_force());
         let before_the_first_tick =
-            Snapshot { state: State::from(servo.latest()), totals: Totals::default() };
+            Snapshot { state: State::new(servo.latest(), name), totals: Totals::default() };
         let (commands, commands_taken) = RingBuffer::new(COMMANDS);
+        let (retired_given, retired) = RingBuffer::new(RETIRED);
         let (records_given, records) = RingBuffer::new(capacity);
         let (snapshots_given, snapshots) = triple_buffer(&before_the_first_tick);
         let update_times = Arc::new(Histogram::new());
         let lateness = Arc::new(Histogram::new());
         let ports = Ports {
             commands: commands_taken,
+            retired: retired_given,
             records: records_given,
             snapshots: snapshots_given,
             update_times: Arc::clone(&update_times),
@@ -140,10 +146,12 @@ impl Session {
             place: Place::Here(Box::new(Engine::new(servo, ports))),
             grid,
             window,
+            model: name,
             workspace_width: capabilities.workspace[0],
             stiffness,
             max_force,
             commands,
+            retired,
             records,
             snapshots,
             update_times,
@@ -177,7 +185,12 @@ impl Session {
     pub fn stop(&mut self) {
         match std::mem::replace(&mut self.place, Place::Lost) {
             Place::Live(live) => match live.stop() {
-                Some(engine) => self.place = Place::Here(engine),
+                Some(mut engine) => {
+                    // What a full ring kept waiting is done before what is asked from now on.
+                    self.free_retired();
+                    engine.guard(Engine::apply_commands);
+                    self.place = Place::Here(engine);
+                }
                 None => {
                     let words = "the servo's thread broke down".to_owned();
                     self.fault.get_or_init(|| Fault::Panic(words));
@@ -228,9 +241,23 @@ impl Session {
     /// Lays the workspace elsewhere, from the next tick on. The proxy then begins anew at the hand.
     pub fn set_window(&mut self, window: Window) -> Result<(), SessionError> {
         let frame = Frame::new(window, self.workspace_width, self.grid.layout())?;
-        self.command(Command::SetWindow(frame))?;
+        self.command(Command::Window(frame))?;
         self.window = window;
         Ok(())
+    }
+
+    /// Lets `model` answer from the next tick on, also in mid-touch: it goes on from where the
+    /// proxy is, and the force changes no faster than its slew limit.
+    pub fn set_model(&mut self, model: Box<dyn ContactModel>) -> Result<(), SessionError> {
+        let name = model.name();
+        self.command(Command::Model(model))?;
+        self.model = name;
+        Ok(())
+    }
+
+    /// The name of the contact model that was chosen last.
+    pub fn model(&self) -> &'static str {
+        self.model
     }
 
     /// Where a simulated hand shall go (workspace metres), from the next tick on.
@@ -238,11 +265,12 @@ impl Session {
         check::finite("target x", target[0])?;
         check::finite("target y", target[1])?;
         check::finite("target z", target[2])?;
-        self.command(Command::SetTarget(target))
+        self.command(Command::Target(target))
     }
 
     /// The newest tick. Also looks whether the grid's file has been cut, which the servo cannot.
     pub fn state(&mut self) -> State {
+        self.free_retired();
         self.grid.look_at_file();
         self.snapshots.read().state
     }
@@ -284,7 +312,13 @@ impl Session {
         }
     }
 
+    /// Frees the contact models that the loop has put away.
+    fn free_retired(&mut self) {
+        while self.retired.pop().is_ok() {}
+    }
+
     fn command(&mut self, command: Command) -> Result<(), SessionError> {
+        self.free_retired();
         match &mut self.place {
             // Nothing empties the queue between steps, so it is not used.
             Place::Here(engine) => {

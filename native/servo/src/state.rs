@@ -40,17 +40,12 @@ pub struct State {
     pub feature: Feature,
     /// What the hand's motion does.
     pub mode: Mode,
+    /// The name of the contact model in charge.
+    pub model: &'static str,
 }
 
 impl State {
-    /// Whether the proxy lies on the surface.
-    pub fn in_contact(&self) -> bool {
-        self.feature != Feature::Free
-    }
-}
-
-impl From<&TickRecord> for State {
-    fn from(record: &TickRecord) -> State {
+    pub(crate) fn new(record: &TickRecord, model: &'static str) -> State {
         State {
             tick: record.tick,
             time: record.time,
@@ -60,6 +55,12 @@ impl From<&TickRecord> for State {
             force: record.force,
             feature: record.feature,
             mode: Mode::Normal,
+            model,
         }
+    }
+
+    /// Whether the proxy lies on the surface.
+    pub fn in_contact(&self) -> bool {
+        self.feature != Feature::Free
     }
 }

@@ -13,6 +13,8 @@ pub struct Totals {
     pub contact_ticks: u64,
     /// Vertices visited by constrained minimisation.
     pub vertices: u64,
+    /// Triangles that the surface walk looked at.
+    pub faces: u64,
     /// Free-space minimisations begun.
     pub collision_tests: u64,
     /// Grid cells that the collision tests went through.

@@ -4,11 +4,17 @@ mod common;
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 use common::*;
 use contact::Feature;
-use devices::{Device, Hand, PathPoint, ScriptedDevice, SimulatedDevice};
+use devices::{
+    Capabilities, Device, DeviceError, Force, Hand, PathPoint, Pose, ScriptedDevice,
+    SimulatedDevice,
+};
 use servo::{Session, Settings, Window};
+use surface::GridPoint;
 
 thread_local! {
     /// Blocks asked for or given back by this thread.
@@ -92,4 +98,48 @@ fn a_full_ring_and_commands_allocate_nothing() {
     });
     assert_eq!(calls, 0);
     assert!(session.statistics().totals.dropped > 0);
+}
+
+/// A hand in the ground that tells how often its thread has called the allocator.
+struct Telltale {
+    reads: Arc<AtomicU64>,
+    calls: Arc<AtomicU64>,
+}
+
+impl Device for Telltale {
+    fn capabilities(&self) -> Capabilities {
+        Watched::pressing(&Log::default()).capabilities
+    }
+
+    fn read(&mut self, _time: f64) -> Result<Pose, DeviceError> {
+        self.calls.store(CALLS.get(), Ordering::Release);
+        let read = self.reads.fetch_add(1, Ordering::AcqRel);
+        Ok(Pose { position: [0.0, 0.0, if read == 0 { 0.01 } else { -0.01 }] })
+    }
+
+    fn write(&mut self, _force: Force, _dt: f64) -> Result<(), DeviceError> {
+        Ok(())
+    }
+}
+
+#[test]
+fn a_tick_that_switches_models_allocates_and_frees_nothing() {
+    let (reads, calls) = (Arc::new(AtomicU64::new(0)), Arc::new(AtomicU64::new(0)));
+    let device = Telltale { reads: Arc::clone(&reads), calls: Arc::clone(&calls) };
+    let mut session = session_with(device, 60.0);
+    session.start().unwrap();
+    let read_on = || {
+        let before = reads.load(Ordering::Acquire);
+        wait_until(|| reads.load(Ordering::Acquire) > before + 2);
+        calls.load(Ordering::Acquire)
+    };
+    let before = read_on();
+    for _ in 0..20 {
+        session.set_model(Box::new(Told(|goal: &GridPoint| (*goal, Feature::Free)))).unwrap();
+        wait_until(|| session.state().model == "told");
+        session.set_model(proxy_graph()).unwrap();
+        wait_until(|| session.state().model == "proxy_graph");
+    }
+    assert_eq!(read_on(), before);
+    session.stop();
 }

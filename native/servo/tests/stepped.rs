@@ -4,14 +4,9 @@ mod common;
 
 use common::*;
 use contact::Feature;
-use devices::{DeviceError, Hand, PathPoint, ScriptedDevice, SimulatedDevice};
+use devices::{DeviceError, Hand, SimulatedDevice};
 use servo::{Fault, Session, SessionError, Settings, TickRecord, Window};
 use surface::GridPoint;
-
-fn scripted(path: &[(f64, f64, f64, f64)]) -> ScriptedDevice {
-    let path = path.iter().copied().map(PathPoint::from).collect();
-    ScriptedDevice::new(path, [0.16, 0.12, 0.12]).unwrap()
-}
 
 fn rolling_hills(column: u32, row: u32) -> f64 {
     (f64::from(column) * 0.7).sin() + (f64::from(row) * 0.9).cos()
@@ -35,7 +30,9 @@ fn bits(records: &[TickRecord]) -> Vec<u64> {
         for vector in [record.hand, record.goal, record.proxy, record.force] {
             bits.extend(vector.map(f64::to_bits));
         }
-        bits.extend([record.vertices, record.collision_tests, record.cells].map(u64::from));
+        bits.extend(
+            [record.vertices, record.faces, record.collision_tests, record.cells].map(u64::from),
+        );
     }
     bits
 }
@@ -318,7 +315,7 @@ fn counts_of_the_model_add_up() {
     let statistics = session.statistics();
     let totals = statistics.totals;
     assert_eq!((totals.ticks, totals.contact_ticks), (7, 7));
-    assert_eq!((totals.vertices, totals.collision_tests), (14, 7));
+    assert_eq!((totals.vertices, totals.faces, totals.collision_tests), (14, 21, 7));
     assert_eq!(totals.missed_ticks, 0);
     assert_eq!(statistics.update_times.count(), 7);
     assert_eq!(statistics.lateness.count(), 0, "stepped ticks have no deadline");

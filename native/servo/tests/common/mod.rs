@@ -5,8 +5,8 @@
 
 use std::sync::{Arc, Mutex};
 
-use contact::{Contact, ContactModel, Counters, Feature, ProxyGraph};
-use devices::{Capabilities, Device, DeviceError, Force, Pose};
+use contact::{Contact, ContactModel, Counters, Feature, Proxy, ProxyGraph};
+use devices::{Capabilities, Device, DeviceError, Force, PathPoint, Pose, ScriptedDevice};
 use servo::{Session, Settings, Window};
 use surface::{ByteOrder, Grid, GridLayout, GridPoint, Metric, SampleType};
 
@@ -41,6 +41,12 @@ pub fn proxy_graph() -> Box<dyn ContactModel> {
 
 pub fn session(device: impl Device + 'static, model: Box<dyn ContactModel>) -> Session {
     Session::new(flat_ground(), Box::new(device), model, window(), Settings::default()).unwrap()
+}
+
+/// A hand on a path of (seconds, x, y, z).
+pub fn scripted(path: &[(f64, f64, f64, f64)]) -> ScriptedDevice {
+    let path = path.iter().copied().map(PathPoint::from).collect();
+    ScriptedDevice::new(path, [0.16, 0.12, 0.12]).unwrap()
 }
 
 /// What a watched device saw, in order.
@@ -157,11 +163,16 @@ impl<F: FnMut(&GridPoint) -> (GridPoint, Feature) + Send> ContactModel for Told<
         "told"
     }
 
-    fn place(&mut self, _at: GridPoint) {}
+    fn proxy(&self) -> Proxy {
+        Proxy::in_space(GridPoint::new(0.0, 0.0, 0.0))
+    }
+
+    fn take_over(&mut self, _proxy: Proxy) {}
 
     fn update(&mut self, _grid: &Grid, _metric: &Metric, goal: &GridPoint) -> Contact {
         let (proxy, feature) = (self.0)(goal);
-        let counters = Counters { vertices: 2, collision_tests: 1, ..Counters::default() };
+        let counters =
+            Counters { vertices: 2, faces: 3, collision_tests: 1, ..Counters::default() };
         Contact { proxy, feature, normal: [0.0, 0.0, 1.0], distance: 0.0, counters }
     }
 }
