@@ -37,10 +37,10 @@ proptest! {
     #[test]
     fn every_step_ends_at_a_minimum_and_the_distance_grows_no_faster_than_the_goal_moves(
         seed in 0u64..1_000_000,
-        relief in -2.0f64..4.0,
+        relief in -6.0f64..9.0,
         levels in prop_oneof![Just(0.0), Just(1.0), Just(3.0)],
         voids in prop_oneof![Just(0.0), Just(0.2)],
-        row in -1.0f64..1.0,
+        row in -2.0f64..2.0,
         speed in -3.0f64..1.0,
         ties: bool,
     ) {
