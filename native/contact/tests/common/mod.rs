@@ -2,6 +2,10 @@
 #![allow(dead_code, reason = "each test program uses a part of this")]
 #![allow(unused_imports, reason = "each test program uses a part of this")]
 
+pub mod models;
+pub mod random_hand;
+pub mod trial;
+
 use contact::{Contact, Feature};
 pub use oracle::Fault;
 pub use oracle::terrain::{Random, grid, grid_with_cells, hills, white_noise};
