@@ -48,7 +48,7 @@ pub struct Contact {
     /// Unit vector from the goal to the proxy in the workspace (right, away, up); (0, 0, 1) where
     /// the two coincide.
     pub normal: [f64; 3],
-    /// Workspace metres between proxy and goal.
+    /// Workspace metres between proxy and goal; 0 where the goal is not finite.
     pub distance: f64,
     /// What the update cost.
     pub counters: Counters,
@@ -102,6 +102,8 @@ impl Contact {
         let normal = pull.map(|length| length / distance);
         let has_direction = normal.iter().all(|part| part.is_finite());
         let normal = if has_direction { normal } else { [0.0, 0.0, 1.0] };
+        // A goal that is not finite pulls at nothing.
+        let distance = if distance.is_finite() { distance } else { 0.0 };
         Self { proxy, feature, normal, distance, counters }
     }
 }
