@@ -139,7 +139,7 @@ proptest! {
             })
             .collect();
         for model in all_models(&SQUARE) {
-            let start = GridPoint::new(5.0, 5.0, 2.0 * relief);
+            let start = GridPoint::new(5.0, 5.0, relief + 1.0);
             let mut one = Trial::new(&planet, SQUARE, &model, BUDGET, start);
             let mut other = Trial::new(&turned, SQUARE, &model, BUDGET, back(&start));
             for goal in &goals {

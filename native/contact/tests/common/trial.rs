@@ -129,7 +129,8 @@ impl<'a> Trial<'a> {
         self.model.place(at);
         self.twin.place(at);
         self.last = None;
-        self.may_be_under = true;
+        let is_above = oracle::depth_below_surface(self.grid, &at) <= 0.0;
+        self.may_be_under = !(is_above && self.is_solid && is_on_map(self.grid, &at));
     }
 
     /// One update, after which everything is looked at.
@@ -169,6 +170,18 @@ impl<'a> Trial<'a> {
         Err(format!("{} never came to an end at {goal:?}", self.model.name()))
     }
 
+    /// A goal that is not finite: nothing may happen.
+    pub fn endure(&mut self, goal: &GridPoint) -> Result<(), Broken> {
+        let before = self.model.proxy();
+        let contact = self.model.update(self.grid, &self.metric, goal);
+        self.twin.update(self.grid, &self.metric, goal);
+        let now = self.model.proxy();
+        let is_same = now == before && contact.proxy == before.position;
+        demand(is_same, || format!("moved by {goal:?} from {before:?} to {now:?}"))?;
+        let is_finite = contact.normal.iter().all(|part| part.is_finite());
+        demand(is_finite && contact.distance.is_finite(), || format!("not finite: {contact:?}"))
+    }
+
     fn look_at_numbers(&self, now: &Last) -> Result<(), Broken> {
         let Contact { proxy, normal, distance, .. } = now.contact;
         demand(proxy.is_finite(), || "the proxy is not finite".into())?;
@@ -203,8 +216,9 @@ impl<'a> Trial<'a> {
         let hand_is_on_map = is_on_map(self.grid, &now.goal);
         let depth = oracle::depth_below_surface(self.grid, &now.contact.proxy);
         let is_above = depth <= MOST_DEPTH;
-        self.may_be_under |= !touches && !(self.is_solid && hand_is_on_map);
-        if self.is_solid && touches {
+        if !(touches || self.is_solid && hand_is_on_map) {
+            self.may_be_under = true;
+        } else if touches && self.is_solid {
             self.may_be_under = false;
         }
         let is_excused = !touches && self.may_be_under;
