@@ -28,3 +28,14 @@ pub fn is_exact(model: &dyn ContactModel) -> bool {
 pub fn is_point(model: &dyn ContactModel) -> bool {
     model.name() != "virtual_proxy"
 }
+
+/// Whether a proxy in contact may be over the surface: held up by planes that are not there.
+pub fn may_float(model: &dyn ContactModel) -> bool {
+    model.name() == "god_object"
+}
+
+/// Steps that a model takes though its budget is smaller: one look around. At a vertex that is its
+/// faces; in the shadow of the smallest sphere its cells, four times.
+pub fn fewest_steps(model: &dyn ContactModel) -> u32 {
+    if is_point(model) { 8 } else { 100 }
+}
