@@ -46,6 +46,7 @@ pub struct Contact {
     /// What it lies on.
     pub feature: Feature,
     /// Workspace metres from the goal to the proxy (right, away, up): along this the spring pulls.
+    /// Zero where the goal is not finite.
     pub displacement: [f64; 3],
     /// What the update cost.
     pub counters: Counters,
@@ -103,6 +104,8 @@ impl Contact {
             -(rows - goal.v) * metric.row,
             up * metric.up,
         ];
+        let is_finite = displacement.iter().sum::<f64>().is_finite();
+        let displacement = if is_finite { displacement } else { [0.0; 3] };
         Self { proxy, feature, displacement, counters }
     }
 

@@ -1,0 +1,41 @@
+//! The models that are put on trial, and what each one promises.
+
+use contact::{ContactModel, Model};
+use surface::Metric;
+
+/// Every model, with the settings of its knobs that are tried. The sphere's radius is a quarter of
+/// the shorter side of a cell.
+pub fn all_models(metric: &Metric) -> [Model; 7] {
+    let radius = 0.25 * metric.column.min(metric.row);
+    [
+        Model::SurfaceWalk { sub_step: None },
+        Model::SurfaceWalk { sub_step: Some(1.0) },
+        Model::SurfaceWalk { sub_step: Some(0.25) },
+        Model::ProxyGraph,
+        Model::GodObject,
+        Model::GodObjectRelease,
+        Model::VirtualProxy { radius },
+    ]
+}
+
+/// Whether it promises the exact proxy's properties: it ends at local minima, the distance never
+/// grows faster than the goal moves, and a still hand is not moved.
+pub fn is_exact(model: &dyn ContactModel) -> bool {
+    model.name() == "surface_walk"
+}
+
+/// Whether the proxy is a point, and not the centre of a sphere.
+pub fn is_point(model: &dyn ContactModel) -> bool {
+    model.name() != "virtual_proxy"
+}
+
+/// Whether a proxy in contact may be over the surface: held up by planes that are not there.
+pub fn may_float(model: &dyn ContactModel) -> bool {
+    model.name() == "god_object"
+}
+
+/// Steps that a model takes though its budget is smaller: one look around. At a vertex that is its
+/// faces; in the shadow of the smallest sphere its cells, four times.
+pub fn fewest_steps(model: &dyn ContactModel) -> u32 {
+    if is_point(model) { 8 } else { 100 }
+}
