@@ -10,11 +10,14 @@
 
 mod choice;
 mod contact;
+mod god_object_release;
 mod proxy;
 mod proxy_graph;
+mod way;
 mod weights;
 
 pub use choice::Model;
 pub use contact::{Contact, ContactModel, Counters, Feature};
+pub use god_object_release::GodObjectRelease;
 pub use proxy::{Place, Proxy};
 pub use proxy_graph::ProxyGraph;
