@@ -10,7 +10,10 @@
 
 mod choice;
 mod contact;
+mod distance;
+mod god_object;
 mod god_object_release;
+mod planes;
 mod proxy;
 mod proxy_graph;
 mod way;
@@ -18,6 +21,7 @@ mod weights;
 
 pub use choice::Model;
 pub use contact::{Contact, ContactModel, Counters, Feature};
+pub use god_object::GodObject;
 pub use god_object_release::GodObjectRelease;
 pub use proxy::{Place, Proxy};
 pub use proxy_graph::ProxyGraph;

@@ -3,7 +3,7 @@
 use crate::contact::Counters;
 use crate::proxy::{Place, Proxy};
 use surface::lattice::{along_edges, counterclockwise, face, sector};
-use surface::{GridPoint, Heightfield, Sample, Triangle};
+use surface::{GridPoint, Half, Heightfield, Sample, Triangle};
 
 /// What a proxy at `position` moves toward: on the map, the nearest place on the map to the goal,
 /// so that the map's border is a wall.
@@ -39,9 +39,17 @@ pub(crate) fn ahead<S: Sample>(
     Some((triangle, height_over(field, &triangle, target) <= 0.0))
 }
 
+/// Which face of its first corner a triangle is (see [`surface::lattice`]).
+pub(crate) fn face_of_first(half: Half) -> usize {
+    match half {
+        Half::NorthEast => 0,
+        Half::SouthWest => 1,
+    }
+}
+
 /// Metres from the plane of `triangle` up to `point`; NaN where the triangle is absent.
 #[inline(always)]
-pub(crate) fn height_over<S: Sample>(
+fn height_over<S: Sample>(
     field: &Heightfield<S>,
     triangle: &Triangle,
     point: &GridPoint,

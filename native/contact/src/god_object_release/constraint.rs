@@ -2,6 +2,7 @@
 //! line in which two neighbours meet.
 
 use crate::proxy::Place;
+use crate::way::face_of_first;
 use crate::weights::Weights;
 use surface::lattice::{EAST, SOUTH, along_edges, counterclockwise, face, gradient};
 use surface::{GridPoint, Half, Heightfield, Sample, Triangle};
@@ -47,7 +48,7 @@ impl Constraint {
     /// `None` where the triangle is absent.
     pub(super) fn new<S: Sample>(field: &Heightfield<S>, triangle: Triangle) -> Option<Self> {
         let [first, second, third] = field.corner_elevations(&triangle);
-        let slope = gradient(face_of_first(&triangle), second - first, third - first);
+        let slope = gradient(face_of_first(triangle.half), second - first, third - first);
         let is_present = !(slope.0 + slope.1).is_nan();
         is_present.then_some(Self { triangle, elevation: first, slope })
     }
@@ -112,7 +113,7 @@ impl Constraint {
     }
 
     fn shares(&self, u: f64, v: f64) -> [f64; 3] {
-        let (second, third) = along_edges(face_of_first(&self.triangle), u, v);
+        let (second, third) = along_edges(face_of_first(self.triangle.half), u, v);
         // Not 1 - second - third: exactly 0 on the edge opposite the first corner.
         let first = match self.triangle.half {
             Half::NorthEast => 1.0 - u,
@@ -202,14 +203,6 @@ impl Line {
     /// The vertex at the other end.
     pub(super) fn end(&self) -> (i64, i64) {
         (self.vertex.0 + EAST[self.k], self.vertex.1 + SOUTH[self.k])
-    }
-}
-
-/// Which face of its first corner a triangle is.
-fn face_of_first(triangle: &Triangle) -> usize {
-    match triangle.half {
-        Half::NorthEast => 0,
-        Half::SouthWest => 1,
     }
 }
 

@@ -27,6 +27,7 @@
 mod constraint;
 
 use crate::contact::{Contact, ContactModel, Counters};
+use crate::distance::Distance;
 use crate::proxy::{Place, Proxy};
 use crate::way::{ahead, cells_between, steps, target};
 use crate::weights::Weights;
@@ -87,7 +88,7 @@ impl GodObjectRelease {
 
     fn minimise<S: Sample>(&mut self, search: &Search<S>, counters: &mut Counters) {
         let target = target(search.field, &self.proxy.position, &search.goal);
-        let mut nearest = (self.proxy, Distance::new(&self.proxy.position, &target, search));
+        let mut nearest = (self.proxy, Distance::new(&self.proxy.position, &target, &search.weights));
         let mut idle_steps = 0;
         loop {
             if steps(counters) >= self.step_budget {
@@ -98,7 +99,7 @@ impl GodObjectRelease {
             if let Step::Ended = self.step(search, &target, counters) {
                 return;
             }
-            let distance = Distance::new(&self.proxy.position, &target, search);
+            let distance = Distance::new(&self.proxy.position, &target, &search.weights);
             if distance.is_less_than(&nearest.1) {
                 (nearest, idle_steps) = ((self.proxy, distance), 0);
                 continue;
@@ -348,30 +349,5 @@ impl Best {
         if gain > self.gain {
             *self = Self { held: Some(plane), gain };
         }
-    }
-}
-
-/// The squared distance from a proxy to its target, cell widths.
-struct Distance {
-    squared: f64,
-    /// How much of it rounding can feign.
-    rounding: f64,
-}
-
-impl Distance {
-    fn new<S: Sample>(position: &GridPoint, target: &GridPoint, search: &Search<S>) -> Self {
-        let weights = &search.weights;
-        let [u, v, up] = target.relative_to(position.column, position.row, position.elevation);
-        let way = [u - position.u, v - position.v, up];
-        let sizes =
-            [u.abs() + 1.0, v.abs() + 1.0, target.elevation.abs() + position.elevation.abs()];
-        let squared = weights.squared(way);
-        let rounding = 4.0 * f64::EPSILON * (squared + weights.magnitude(way, sizes));
-        Self { squared, rounding }
-    }
-
-    /// By more than the rounding error of both.
-    fn is_less_than(&self, other: &Self) -> bool {
-        self.squared + self.rounding + other.rounding < other.squared
     }
 }
