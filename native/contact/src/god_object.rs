@@ -206,7 +206,8 @@ impl<S: Sample> Search<'_, S> {
         let [columns, rows, up] = self.scale.on_grid(projection.point);
         let elevation = pivot.elevation + up;
         let point = GridPoint::from_sample(pivot.column, pivot.row, columns, rows, elevation);
-        let point = if constraints.hold_a_wall() { self.field.nearest_on_map(&point) } else { point };
+        let point =
+            if constraints.hold_a_wall() { self.field.nearest_on_map(&point) } else { point };
         let point = GridPoint { elevation: constraints.elevation_at(self.field, &point), ..point };
         point.is_finite().then_some(point)
     }

@@ -16,6 +16,7 @@ mod god_object_release;
 mod planes;
 mod proxy;
 mod proxy_graph;
+mod virtual_proxy;
 mod way;
 mod weights;
 
@@ -25,3 +26,4 @@ pub use god_object::GodObject;
 pub use god_object_release::GodObjectRelease;
 pub use proxy::{Place, Proxy};
 pub use proxy_graph::ProxyGraph;
+pub use virtual_proxy::VirtualProxy;

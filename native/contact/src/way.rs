@@ -49,11 +49,7 @@ pub(crate) fn face_of_first(half: Half) -> usize {
 
 /// Metres from the plane of `triangle` up to `point`; NaN where the triangle is absent.
 #[inline(always)]
-fn height_over<S: Sample>(
-    field: &Heightfield<S>,
-    triangle: &Triangle,
-    point: &GridPoint,
-) -> f64 {
+fn height_over<S: Sample>(field: &Heightfield<S>, triangle: &Triangle, point: &GridPoint) -> f64 {
     let [u, v, _] = point.relative_to(triangle.column, triangle.row, 0.0);
     point.elevation - field.plane_elevation(triangle, u, v)
 }

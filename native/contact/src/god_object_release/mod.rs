@@ -88,7 +88,8 @@ impl GodObjectRelease {
 
     fn minimise<S: Sample>(&mut self, search: &Search<S>, counters: &mut Counters) {
         let target = target(search.field, &self.proxy.position, &search.goal);
-        let mut nearest = (self.proxy, Distance::new(&self.proxy.position, &target, &search.weights));
+        let mut nearest =
+            (self.proxy, Distance::new(&self.proxy.position, &target, &search.weights));
         let mut idle_steps = 0;
         loop {
             if steps(counters) >= self.step_budget {
