@@ -39,7 +39,7 @@ use crate::way::{cells_between, steps, target};
 use polyhedron::closest;
 use surface::ray::Side;
 use surface::{Grid, GridPoint, Heightfield, Metric, Sample, on_heightfield};
-use surroundings::{Shadow, Sphere, Surroundings, Survey};
+use surroundings::{Between, MOST_WALLS, Shadow, Sphere, Surroundings, Survey};
 
 /// Share of the radius by which rounding may let the sphere into the ground.
 const TOLERANCE: f64 = 1e-7;
@@ -224,8 +224,9 @@ impl VirtualProxy {
             if survey.is_underground(sphere) {
                 break;
             }
-            search.add_walls(&mut self.surroundings, &self.centre);
-            let Some((way, _)) = closest([0.0; 3], self.surroundings.planes()) else { break };
+            let walls = search.walls(&self.centre);
+            let planes = self.surroundings.planes(Between::Shortest, &walls);
+            let Some((way, _)) = closest([0.0; 3], planes) else { break };
             let before = self.centre;
             self.centre = search.moved(&before, search.limited(way));
             let Some(next) = self.survey(search, counters) else {
@@ -245,7 +246,7 @@ impl VirtualProxy {
     fn survey<S: Sample>(&mut self, search: &Search<S>, counters: &mut Counters) -> Option<Survey> {
         let Search { field, scale, radius, .. } = search;
         let shadow = Shadow::new(&self.centre, *radius, scale);
-        if steps(counters) + shadow.cells() > self.step_budget {
+        if steps(counters) + shadow.cells() >= self.step_budget {
             return None;
         }
         counters.cells += shadow.cells();
@@ -316,7 +317,7 @@ impl<S: Sample> Search<'_, S> {
 
     /// The next step of a sphere that has looked around.
     fn step(&self, surroundings: &mut Surroundings, centre: &GridPoint, survey: &Survey) -> Step {
-        self.add_walls(surroundings, centre);
+        let walls = self.walls(centre);
         let way = self.scale.between(centre, &self.target);
         let distance = length(way);
         if !distance.is_finite() {
@@ -324,11 +325,24 @@ impl<S: Sample> Search<'_, S> {
         }
         let share = (FARTHEST_PULL * survey.extent / distance).min(1.0);
         let pull = if share < 1.0 { way.map(|part| share * part) } else { way };
-        let Some((step, is_held)) = closest(pull, surroundings.planes()) else {
+        let mut next = self.step_between(surroundings.planes(Between::Glide, &walls), centre, pull);
+        if let Step::Held = next {
+            next = self.step_between(surroundings.planes(Between::Shortest, &walls), centre, pull);
+        }
+        // What was pulled less far has not been reached.
+        match next {
+            Step::ToGoal if share < 1.0 => Step::To(self.moved(centre, self.limited(pull))),
+            next => next,
+        }
+    }
+
+    /// The step to the place closest to the goal, which is `pull` away, on the free side of all planes.
+    fn step_between(&self, planes: &[Plane], centre: &GridPoint, pull: [f64; 3]) -> Step {
+        let Some((step, is_held)) = closest(pull, planes) else {
             return Step::Held;
         };
         let limited = self.limited(step);
-        if !is_held && share == 1.0 && limited == step {
+        if !is_held && limited == step {
             return Step::ToGoal;
         }
         let gain = dot(limited, plus(plus(pull, 1.0, pull), -1.0, limited));
@@ -354,19 +368,16 @@ impl<S: Sample> Search<'_, S> {
     }
 
     /// The borders of the map within reach, for a centre on the map.
-    fn add_walls(&self, surroundings: &mut Surroundings, centre: &GridPoint) {
-        if !self.field.is_on_map(centre) {
-            return;
-        }
-        for (columns, rows) in [(2.0, 0.0), (-2.0, 0.0), (0.0, 2.0), (0.0, -2.0)] {
+    fn walls(&self, centre: &GridPoint) -> [Option<Plane>; MOST_WALLS] {
+        let is_on_map = self.field.is_on_map(centre);
+        [(2.0, 0.0), (-2.0, 0.0), (0.0, 2.0), (0.0, -2.0)].map(|(columns, rows)| {
             let (u, v) = (centre.u + columns, centre.v + rows);
             let out = GridPoint::from_sample(centre.column, centre.row, u, v, centre.elevation);
             let border = self.field.nearest_on_map(&out);
-            if border != out {
+            (is_on_map && border != out).then(|| {
                 let normal = unit(self.scale.vector([-columns, -rows, 0.0]));
-                let offset = dot(normal, self.scale.between(centre, &border));
-                surroundings.add_wall(Plane { normal, offset });
-            }
-        }
+                Plane { normal, offset: dot(normal, self.scale.between(centre, &border)) }
+            })
+        })
     }
 }

@@ -30,6 +30,17 @@ pub(super) struct Sphere {
     pub(super) tolerance: f64,
 }
 
+/// Which of the planes between a triangle and the sphere.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Between {
+    /// The triangle's own, where the sphere is above it: it leaves the most room to glide along the
+    /// ground, but stops a sphere over the plane far from the triangle (paper figure 4).
+    Glide,
+    /// The plane across the shortest way to the triangle: the tangent plane of the configuration
+    /// space obstacle, which stops a sphere only where it touches.
+    Shortest,
+}
+
 /// Cells around a sphere's centre.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Shadow {
@@ -60,8 +71,9 @@ pub(super) struct Survey {
 #[derive(Clone, Copy, Debug)]
 struct Obstacle {
     corners: [[f64; 3]; 3],
-    /// That the centre may not go behind.
-    plane: Plane,
+    /// Planes that the centre may not go behind.
+    glide: Plane,
+    shortest: Plane,
     /// Whether the sphere touches it, or nearly.
     touches: bool,
 }
@@ -146,14 +158,21 @@ impl Surroundings {
         }
     }
 
-    /// The planes around the sphere that was looked at last, relative to its centre.
-    pub(super) fn planes(&self) -> &[Plane] {
-        &self.planes
-    }
-
-    /// A plane more, beside those of the triangles; of these at most [`MOST_WALLS`].
-    pub(super) fn add_wall(&mut self, plane: Plane) {
-        self.planes.push(plane);
+    /// The planes around the sphere that was looked at last, and the walls, relative to its centre.
+    pub(super) fn planes(
+        &mut self,
+        between: Between,
+        walls: &[Option<Plane>; MOST_WALLS],
+    ) -> &[Plane] {
+        let Self { shields, obstacles, planes, .. } = self;
+        let plane = |obstacle: &Obstacle| match between {
+            Between::Glide => obstacle.glide,
+            Between::Shortest => obstacle.shortest,
+        };
+        planes.clear();
+        planes.extend(walls.iter().flatten());
+        planes.extend(shields.iter().chain(obstacles.iter()).map(plane));
+        planes
     }
 
     /// Looks around a sphere at `centre`.
@@ -181,7 +200,7 @@ impl Surroundings {
         let mut look = Look { surroundings: self, scale, centre, sphere, shadow, survey };
         look.around();
         let survey = look.survey;
-        self.collect_planes(sphere);
+        self.leave_out_covered(sphere);
         survey
     }
 
@@ -201,12 +220,10 @@ impl Surroundings {
         }
     }
 
-    fn collect_planes(&mut self, sphere: &Sphere) {
-        let Self { shields, obstacles, planes, .. } = self;
-        let is_open = |obstacle: &&Obstacle| !is_covered(shields, &obstacle.corners, sphere);
-        planes.clear();
-        planes.extend(shields.iter().map(|shield| shield.plane));
-        planes.extend(obstacles.iter().filter(is_open).map(|obstacle| obstacle.plane));
+    /// Leaves out the triangles behind those that touch.
+    fn leave_out_covered(&mut self, sphere: &Sphere) {
+        let Self { shields, obstacles, .. } = self;
+        obstacles.retain(|obstacle| !is_covered(shields, &obstacle.corners, sphere));
     }
 }
 
@@ -215,7 +232,7 @@ impl Surroundings {
 /// the sphere glides from triangle to triangle.
 fn is_covered(shields: &[Obstacle], corners: &[[f64; 3]; 3], sphere: &Sphere) -> bool {
     shields.iter().any(|shield| {
-        let Plane { normal, offset } = shield.plane;
+        let Plane { normal, offset } = shield.shortest;
         let behind = offset - sphere.radius + sphere.tolerance / 4.0;
         corners.iter().all(|corner| dot(normal, *corner) <= behind)
     })
@@ -282,10 +299,6 @@ impl Look<'_> {
 
 impl Obstacle {
     /// Of a triangle with this unit normal, and the centre at this height over its plane.
-    ///
-    /// Any plane between triangle and centre would do. The triangle's own leaves the most room to
-    /// glide along it; where the centre is too low for that, the plane across the shortest way to it
-    /// does (Ruspini's tangent plane of the configuration space obstacle).
     fn new(
         corners: [[f64; 3]; 3],
         normal: [f64; 3],
@@ -293,16 +306,17 @@ impl Obstacle {
         nearest: &Nearest,
         sphere: &Sphere,
     ) -> Self {
+        let Sphere { radius, tolerance } = *sphere;
         let distance = length(nearest.point);
-        let foot_is_inside = nearest.feature == Feature::Face || distance <= sphere.tolerance;
-        let plane = if foot_is_inside || height >= sphere.radius {
-            Plane { normal, offset: sphere.radius - height }
+        let own = Plane { normal, offset: radius - height };
+        let is_over_it = nearest.feature == Feature::Face && height > 0.0;
+        let shortest = if is_over_it || distance <= tolerance {
+            own
         } else {
             let normal = nearest.point.map(|part| -part / distance);
-            Plane { normal, offset: sphere.radius - distance }
+            Plane { normal, offset: radius - distance }
         };
-        let is_tangent = foot_is_inside || height < sphere.radius;
-        let touches = is_tangent && distance <= TOUCH * sphere.radius + sphere.tolerance;
-        Self { corners, plane, touches }
+        let glide = if height >= radius { own } else { shortest };
+        Self { corners, glide, shortest, touches: distance <= TOUCH * radius + tolerance }
     }
 }

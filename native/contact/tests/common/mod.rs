@@ -248,7 +248,7 @@ fn triangles_around(
 
 /// The closest point of a triangle: its plane's foot where that is inside, else the closest of the
 /// three edges' closest points.
-fn closest_on_triangle(point: [f64; 3], [a, b, c]: &[[f64; 3]; 3]) -> [f64; 3] {
+pub fn closest_on_triangle(point: [f64; 3], [a, b, c]: &[[f64; 3]; 3]) -> [f64; 3] {
     let (ab, ac, ap) = (subtract(*b, *a), subtract(*c, *a), subtract(point, *a));
     let (bb, bc, cc) = (dot(ab, ab), dot(ab, ac), dot(ac, ac));
     let (pb, pc) = (dot(ap, ab), dot(ap, ac));
