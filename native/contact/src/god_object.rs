@@ -71,10 +71,10 @@ enum Move {
 
 impl GodObject {
     /// A proxy at sample (0, 0), out of contact, that may take `step_budget` steps in one update (at
-    /// least 1): constraints, and cells of collision tests.
+    /// least 2): projections, and cells of collision tests.
     pub fn new(step_budget: u32) -> Self {
         let proxy = Proxy::in_space(GridPoint::new(0.0, 0.0, 0.0));
-        Self { step_budget: step_budget.max(1), proxy, feature: Feature::Free }
+        Self { step_budget: step_budget.max(2), proxy, feature: Feature::Free }
     }
 
     fn minimise<S: Sample>(&mut self, search: &Search<S>, counters: &mut Counters) -> Feature {
@@ -85,8 +85,11 @@ impl GodObject {
                 break;
             }
             let Some(goal) = search.constrained_goal(&constraints) else { break };
-            if constraints.count > 0 && !search.is_nearer(&goal, &self.proxy.position) {
-                break;
+            if constraints.count > 0 {
+                counters.faces += 1;
+                if !search.is_nearer(&goal, &self.proxy.position) {
+                    break;
+                }
             }
             if let Move::Ended = self.move_toward(search, goal, &mut constraints, counters) {
                 break;
@@ -108,7 +111,6 @@ impl GodObject {
         counters.collision_tests += 1;
         let start = match (ahead(search.field, &self.proxy, &end), self.proxy.place) {
             (Some((triangle, true)), _) if !constraints.hold(&triangle) => {
-                counters.faces += 1;
                 return constraints.add_triangle(search, triangle);
             }
             (Some((triangle, _)), _) => Start::Surface(triangle),
@@ -120,13 +122,14 @@ impl GodObject {
         counters.cells += ray.cells;
         match ray.end {
             RayEnd::Hit(triangle, position) => {
+                let came_nearer = search.is_nearer(&position, &self.proxy.position);
                 self.proxy = Proxy { position, place: Place::Face(triangle) };
-                if constraints.hold(&triangle) {
-                    // Met again by rounding: the next ray starts from it.
-                    return Move::Stopped;
+                match (constraints.hold(&triangle), came_nearer) {
+                    (false, _) => constraints.add_triangle(search, triangle),
+                    // Met again by rounding: the next ray starts from it, if that leads anywhere.
+                    (true, true) => Move::Stopped,
+                    (true, false) => Move::Ended,
                 }
-                counters.faces += 1;
-                constraints.add_triangle(search, triangle)
             }
             RayEnd::OutOfSteps(position, side) => {
                 self.proxy = Proxy { position, place: Place::Space(side) };
@@ -140,7 +143,6 @@ impl GodObject {
             RayEnd::Clear(Side::Above) => {
                 let place = constraints.place_at(search.field, &end);
                 self.proxy = Proxy { position: end, place };
-                counters.faces += u32::from(wall.is_some());
                 wall.map_or(Move::Ended, |wall| constraints.add_wall(search, &wall))
             }
             RayEnd::Clear(_) => {

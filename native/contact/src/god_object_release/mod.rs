@@ -62,8 +62,8 @@ struct Search<'a, S> {
 enum Held {
     /// Nothing: the way to the goal is free, and begins so.
     Free(Start),
-    /// The plane of a triangle.
-    Face(Constraint),
+    /// The plane of a triangle, and the way in it.
+    Face(Constraint, Slide),
     /// The line in which the planes beside an edge meet.
     Edge(Line),
     /// The planes of a vertex: a minimum.
@@ -122,7 +122,7 @@ impl GodObjectRelease {
     ) -> Step {
         match search.held(&self.proxy, target) {
             Held::Free(start) => self.free_move(search, target, start, counters),
-            Held::Face(constraint) => self.slide(search, target, &constraint, counters),
+            Held::Face(constraint, slide) => self.slide(search, &constraint, &slide, counters),
             Held::Edge(line) => {
                 counters.faces += 1;
                 self.slide_along(search, target, &line);
@@ -168,16 +168,15 @@ impl GodObjectRelease {
     fn slide<S: Sample>(
         &mut self,
         search: &Search<S>,
-        target: &GridPoint,
         constraint: &Constraint,
+        slide: &Slide,
         counters: &mut Counters,
     ) -> Step {
         counters.faces += 1;
-        let slide = constraint.slide(&self.proxy.position, target, &search.weights);
         if !slide.foot.is_finite() {
             return Step::GoOn;
         }
-        match constraint.exit(&slide) {
+        match constraint.exit(slide) {
             Exit::None => {
                 let place = Place::Face(constraint.triangle());
                 self.proxy = Proxy { position: slide.foot, place };
@@ -187,7 +186,7 @@ impl GodObjectRelease {
                 let Some(line) = Line::new(search.field, vertex, k) else {
                     return Step::Ended;
                 };
-                let is_met = self.meets_another(search, constraint, &slide, counters);
+                let is_met = self.meets_another(search, constraint, slide, counters);
                 self.rest_on(&line, share);
                 let beyond = line.other_side(&constraint.triangle());
                 if !is_met && search.field.is_present(&beyond) {
@@ -269,7 +268,10 @@ impl<S: Sample> Search<'_, S> {
     fn held(&self, proxy: &Proxy, target: &GridPoint) -> Held {
         if let Place::Face(triangle) = proxy.place {
             return match Constraint::new(self.field, triangle) {
-                Some(plane) if plane.height_of(target) <= 0.0 => Held::Face(plane),
+                Some(plane) if plane.height_of(target) <= 0.0 => {
+                    let slide = plane.slide(&proxy.position, target, &self.weights);
+                    Held::Face(plane, slide)
+                }
                 _ => Held::Free(Start::Surface(triangle)),
             };
         }
@@ -298,7 +300,7 @@ impl<S: Sample> Search<'_, S> {
             best.try_face(self, proxy, target, face(column, row, k));
         }
         match (best.held, Line::new(self.field, (column, row), k)) {
-            (Some(plane), _) => Held::Face(plane),
+            (Some((plane, slide)), _) => Held::Face(plane, slide),
             (None, Some(line)) => Held::Edge(line),
             (None, None) => Held::Vertex,
         }
@@ -310,7 +312,8 @@ impl<S: Sample> Search<'_, S> {
         for k in 0..6 {
             best.try_face(self, proxy, target, face(column, row, k));
         }
-        let mut held = best.held.map_or(Held::Vertex, Held::Face);
+        let on_face = |(plane, slide)| Held::Face(plane, slide);
+        let mut held = best.held.map_or(Held::Vertex, on_face);
         for k in 0..6 {
             let Some(line) = Line::new(self.field, vertex, k) else { continue };
             let share = line.closest_share(target, &self.weights);
@@ -327,7 +330,7 @@ impl<S: Sample> Search<'_, S> {
 /// Of several planes, the one along which the distance falls fastest.
 #[derive(Default)]
 struct Best {
-    held: Option<Constraint>,
+    held: Option<(Constraint, Slide)>,
     /// Squared length of the slide, cell widths: of all ways from one place, the longest one to a
     /// projection of the goal is the steepest.
     gain: f64,
@@ -348,7 +351,7 @@ impl Best {
         }
         let gain = slide.gain(&proxy.position, &search.weights);
         if gain > self.gain {
-            *self = Self { held: Some(plane), gain };
+            *self = Self { held: Some((plane, slide)), gain };
         }
     }
 }

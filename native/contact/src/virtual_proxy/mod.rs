@@ -37,7 +37,7 @@ use crate::planes::{Plane, Scale, dot, length, plus, unit};
 use crate::proxy::{Place, Proxy};
 use crate::way::{cells_between, steps, target};
 use polyhedron::closest;
-use surface::ray::Side;
+use surface::ray::{RayEnd, Side, Start, cast};
 use surface::{Grid, GridPoint, Heightfield, Metric, Sample, on_heightfield};
 use surroundings::{Between, MOST_WALLS, Shadow, Sphere, Surroundings, Survey};
 
@@ -56,8 +56,11 @@ const SURVEYS: u32 = 4;
 /// Cells in a shadow, at the most: the memory for a look around stays below a megabyte.
 const MOST_CELLS: u32 = 4096;
 
-/// The smallest shadow that has room for a sphere.
-const FEWEST_CELLS: u32 = 25;
+/// The smallest shadow has 16 cells; with the cells of a step, four looks around take no more.
+const FEWEST_STEPS: u32 = 100;
+
+/// Cells under a step of at most a column and a row, and one to spare.
+const CELLS_OF_A_STEP: u32 = 4;
 
 /// Looks around on the way out of the ground, before the sphere is lifted straight up.
 const SURVEYS_ON_THE_WAY_OUT: u32 = 16;
@@ -108,7 +111,7 @@ impl VirtualProxy {
     /// Where `radius` is not positive and finite.
     pub fn new(radius: f64, step_budget: u32) -> Self {
         assert!(radius > 0.0 && radius.is_finite(), "a sphere's radius is positive: {radius}");
-        let step_budget = step_budget.max(SURVEYS * FEWEST_CELLS);
+        let step_budget = step_budget.max(FEWEST_STEPS);
         Self {
             radius,
             step_budget,
@@ -179,13 +182,12 @@ impl VirtualProxy {
             settled = Some(self.centre);
             self.state = State::Outside { is_over_ground: survey.height.is_some() };
             self.feature = survey.touched(&search.sphere_at(&self.centre));
-            match search.step(&mut self.surroundings, &self.centre, &survey) {
-                Step::ToGoal => return self.reach_goal(search),
-                Step::To(centre) => {
-                    counters.faces += 1;
-                    self.centre = centre;
-                }
-                Step::Held => {
+            let step = search.step(&mut self.surroundings, &self.centre, &survey);
+            let open = step.and_then(|step| self.look_along(search, step, counters));
+            match open {
+                Some((Step::ToGoal, side)) => return self.reach_goal(search, side),
+                Some((Step::To(centre), _)) => self.centre = centre,
+                None => {
                     self.feature = survey.feature;
                     return;
                 }
@@ -193,11 +195,42 @@ impl VirtualProxy {
         }
     }
 
-    fn reach_goal<S: Sample>(&mut self, search: &Search<S>) {
+    /// A step, and the side of the surface that the centre is on after it; `None` where the centre
+    /// itself would go through the surface: rounding hid it, as it may where heights dwarf cells.
+    fn look_along<S: Sample>(
+        &self,
+        search: &Search<S>,
+        step: Step,
+        counters: &mut Counters,
+    ) -> Option<(Step, Side)> {
+        let to = match step {
+            Step::ToGoal => search.goal,
+            Step::To(centre) => centre,
+        };
+        let start = Start::Space(self.side());
+        let ray = cast(search.field, &self.centre, start, &to, CELLS_OF_A_STEP);
+        counters.cells += ray.cells;
+        match ray.end {
+            RayEnd::Hit(..) => None,
+            RayEnd::Clear(side) | RayEnd::OutOfSteps(_, side) => Some((step, side)),
+        }
+    }
+
+    /// Of the surface, as far as the state tells.
+    fn side(&self) -> Side {
+        match self.state {
+            State::Outside { is_over_ground: true } => Side::Above,
+            _ => Side::Unknown,
+        }
+    }
+
+    fn reach_goal<S: Sample>(&mut self, search: &Search<S>, side: Side) {
         self.centre = search.goal;
         self.feature = Feature::Free;
-        let is_over_ground = !search.field.surface_elevation(&search.goal).is_nan();
-        self.state = State::Outside { is_over_ground };
+        self.state = match side {
+            Side::Below => State::Inside,
+            _ => State::Outside { is_over_ground: side == Side::Above },
+        };
     }
 
     /// Follows the goal where nothing holds the sphere, until it has wholly come out.
@@ -246,7 +279,7 @@ impl VirtualProxy {
     fn survey<S: Sample>(&mut self, search: &Search<S>, counters: &mut Counters) -> Option<Survey> {
         let Search { field, scale, radius, .. } = search;
         let shadow = Shadow::new(&self.centre, *radius, scale);
-        if steps(counters) + shadow.cells() >= self.step_budget {
+        if steps(counters) + shadow.cells() + CELLS_OF_A_STEP > self.step_budget {
             return None;
         }
         counters.cells += shadow.cells();
@@ -264,8 +297,7 @@ impl ContactModel for VirtualProxy {
     fn proxy(&self) -> Proxy {
         let place = match self.state {
             State::Arriving(place) => place,
-            State::Outside { is_over_ground: true } => Place::Space(Side::Above),
-            _ => Place::Space(Side::Unknown),
+            _ => Place::Space(self.side()),
         };
         Proxy { position: self.centre, place }
     }
@@ -293,17 +325,15 @@ impl ContactModel for VirtualProxy {
 
 /// Cells that one look around may take.
 fn most_cells(step_budget: u32) -> u32 {
-    (step_budget / SURVEYS).min(MOST_CELLS)
+    (step_budget / SURVEYS - CELLS_OF_A_STEP).min(MOST_CELLS)
 }
 
 /// What a look around leads to.
 enum Step {
-    /// The goal is reached, and nothing is touched.
+    /// To the goal, and nothing is touched.
     ToGoal,
-    /// The sphere moves on.
+    /// To this place.
     To(GridPoint),
-    /// It comes no nearer.
-    Held,
 }
 
 impl<S: Sample> Search<'_, S> {
@@ -315,42 +345,43 @@ impl<S: Sample> Search<'_, S> {
         Sphere { radius: self.radius, tolerance: TOLERANCE * self.radius + rounding }
     }
 
-    /// The next step of a sphere that has looked around.
-    fn step(&self, surroundings: &mut Surroundings, centre: &GridPoint, survey: &Survey) -> Step {
+    /// The next step of a sphere that has looked around; `None` where it comes no nearer.
+    fn step(
+        &self,
+        surroundings: &mut Surroundings,
+        centre: &GridPoint,
+        survey: &Survey,
+    ) -> Option<Step> {
         let walls = self.walls(centre);
         let way = self.scale.between(centre, &self.target);
         let distance = length(way);
         if !distance.is_finite() {
-            return Step::Held;
+            return None;
         }
-        let share = (FARTHEST_PULL * survey.extent / distance).min(1.0);
+        let share = FARTHEST_PULL * survey.extent / distance;
         let pull = if share < 1.0 { way.map(|part| share * part) } else { way };
-        let mut next = self.step_between(surroundings.planes(Between::Glide, &walls), centre, pull);
-        if let Step::Held = next {
-            next = self.step_between(surroundings.planes(Between::Shortest, &walls), centre, pull);
-        }
-        // What was pulled less far has not been reached.
-        match next {
-            Step::ToGoal if share < 1.0 => Step::To(self.moved(centre, self.limited(pull))),
-            next => next,
+        let mut step =
+            |between| self.step_between(surroundings.planes(between, &walls), centre, pull);
+        match step(Between::Glide).or_else(|| step(Between::Shortest))? {
+            // The goal was pulled nearer: it is not there yet.
+            Step::ToGoal if share < 1.0 => Some(Step::To(self.moved(centre, self.limited(pull)))),
+            step => Some(step),
         }
     }
 
     /// The step to the place closest to the goal, which is `pull` away, on the free side of all planes.
-    fn step_between(&self, planes: &[Plane], centre: &GridPoint, pull: [f64; 3]) -> Step {
-        let Some((step, is_held)) = closest(pull, planes) else {
-            return Step::Held;
-        };
+    fn step_between(&self, planes: &[Plane], centre: &GridPoint, pull: [f64; 3]) -> Option<Step> {
+        let (step, is_held) = closest(pull, planes)?;
         let limited = self.limited(step);
         if !is_held && limited == step {
-            return Step::ToGoal;
+            return Some(Step::ToGoal);
         }
         let gain = dot(limited, plus(plus(pull, 1.0, pull), -1.0, limited));
         let least = LEAST_GAIN * self.radius * self.radius
             + 16.0 * f64::EPSILON * length(limited) * (length(pull) + length(limited));
         // False for NaN too.
         let comes_nearer = gain > least;
-        if comes_nearer { Step::To(self.moved(centre, limited)) } else { Step::Held }
+        comes_nearer.then(|| Step::To(self.moved(centre, limited)))
     }
 
     /// A step, as far as was looked: a column and a row.
