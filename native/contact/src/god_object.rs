@@ -204,8 +204,7 @@ impl<S: Sample> Search<'_, S> {
         }
         let pivot = &constraints.pivot;
         let goal = self.scale.between(pivot, &self.target);
-        let projection = project(goal, constraints.planes())?;
-        let [columns, rows, up] = self.scale.on_grid(projection.point);
+        let [columns, rows, up] = self.scale.on_grid(project(goal, constraints.planes())?);
         let elevation = pivot.elevation + up;
         let point = GridPoint::from_sample(pivot.column, pivot.row, columns, rows, elevation);
         let point =

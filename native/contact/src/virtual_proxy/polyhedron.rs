@@ -32,20 +32,24 @@ pub(super) fn closest(goal: [f64; 3], planes: &[Plane]) -> Option<([f64; 3], boo
 }
 
 fn most_violated(point: [f64; 3], goal: [f64; 3], planes: &[Plane]) -> Option<Plane> {
-    let tolerance = rounding(point, goal);
     let (mut worst, mut found) = (0.0, None);
     for plane in planes {
-        let depth = plane.offset - dot(plane.normal, point);
-        if depth > tolerance + 8.0 * f64::EPSILON * plane.offset.abs() && depth > worst {
+        let depth = depth_behind(plane, point);
+        if depth > worst && is_violated(plane, point, goal) {
             (worst, found) = (depth, Some(*plane));
         }
     }
     found
 }
 
-/// How far from a plane rounding may leave a point that was projected on it.
-fn rounding(point: [f64; 3], goal: [f64; 3]) -> f64 {
-    16.0 * f64::EPSILON * (length(point) + length(goal))
+/// Whether a point is behind a plane by more than rounding may leave one that was projected on it.
+fn is_violated(plane: &Plane, point: [f64; 3], goal: [f64; 3]) -> bool {
+    let size = length(point) + length(goal) + plane.offset.abs();
+    depth_behind(plane, point) > 16.0 * f64::EPSILON * size
+}
+
+fn depth_behind(plane: &Plane, point: [f64; 3]) -> f64 {
+    plane.offset - dot(plane.normal, point)
 }
 
 impl Basis {
@@ -62,12 +66,14 @@ impl Basis {
                 continue;
             }
             let held = self.chosen(chosen, newest);
-            let Some(projection) = project(goal, held.planes()) else { continue };
-            let point = projection.point;
-            let all_push = projection.multipliers.iter().all(|multiplier| *multiplier >= 0.0);
-            if !all_push || most_violated(point, goal, self.planes()).is_some() {
+            let Some(point) = project(goal, held.planes()) else { continue };
+            let mut others =
+                (0..self.count).filter(|index| chosen & (1 << index) == 0).map(|i| self.planes[i]);
+            if others.any(|plane| is_violated(&plane, point, goal)) {
                 continue;
             }
+            // Of points free of all, the closest has only planes that push: others hold it farther
+            // away than need be.
             let distance = length(plus(point, -1.0, goal));
             if best.is_none_or(|(_, _, nearest)| distance < nearest) {
                 best = Some((held, point, distance));
