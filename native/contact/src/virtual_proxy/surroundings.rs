@@ -171,7 +171,9 @@ impl Surroundings {
         };
         planes.clear();
         planes.extend(walls.iter().flatten());
-        planes.extend(shields.iter().chain(obstacles.iter()).map(plane));
+        // These stand for what they cover as well, which is behind this plane of theirs.
+        planes.extend(shields.iter().map(|shield| shield.shortest));
+        planes.extend(obstacles.iter().map(plane));
         planes
     }
 
