@@ -1,8 +1,11 @@
 //! Choosing a contact model by name.
 
 use crate::contact::ContactModel;
+use crate::god_object::GodObject;
+use crate::god_object_release::GodObjectRelease;
 use crate::proxy_graph::ProxyGraph;
 use crate::surface_walk::SurfaceWalk;
+use crate::virtual_proxy::VirtualProxy;
 
 /// A contact model with its knobs, before it is built.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,16 +49,29 @@ impl Model {
     /// Steps that one update may take where nothing else is asked: each model's worst update then
     /// stays near a tenth of a millisecond.
     pub fn default_step_budget(&self) -> u32 {
-        4096
+        match self {
+            Self::SurfaceWalk { .. } | Self::ProxyGraph => 4096,
+            // A step is a cell of a ray, mostly in the air.
+            Self::GodObject => 8192,
+            // A step in three is a triangle's projection.
+            Self::GodObjectRelease => 4096,
+            // A step is two triangles, held against a sphere.
+            Self::VirtualProxy { .. } => 1536,
+        }
     }
 
     /// The model, with a proxy at sample (0, 0) out of contact, that may take `step_budget` steps
     /// in one update (at least 1).
+    ///
+    /// # Panics
+    /// Where the radius of a sphere is not positive and finite.
     pub fn build(&self, step_budget: u32) -> Box<dyn ContactModel> {
         match *self {
             Self::SurfaceWalk { sub_step } => Box::new(SurfaceWalk::new(step_budget, sub_step)),
-            // Until the others are here.
-            _ => Box::new(ProxyGraph::new(step_budget)),
+            Self::ProxyGraph => Box::new(ProxyGraph::new(step_budget)),
+            Self::GodObject => Box::new(GodObject::new(step_budget)),
+            Self::GodObjectRelease => Box::new(GodObjectRelease::new(step_budget)),
+            Self::VirtualProxy { radius } => Box::new(VirtualProxy::new(radius, step_budget)),
         }
     }
 }

@@ -21,9 +21,11 @@ pub enum Feature {
 pub struct Counters {
     /// Vertices visited by constrained minimisation (paper 4.4).
     pub vertices: u32,
-    /// Triangles that the surface walk looked at to find its way.
+    /// Triangles that the surface walk looked at to find its way, and constraint changes of the models
+    /// that hold planes.
     pub faces: u32,
-    /// Free-space minimisations begun, each of them one collision test (paper 4.4).
+    /// Collision tests: free-space minimisations begun (paper 4.4), slides that left their triangle
+    /// (paper 2.3), looks around a sphere.
     pub collision_tests: u32,
     /// Grid cells that the collision tests went through (paper 3.5).
     pub cells: u32,

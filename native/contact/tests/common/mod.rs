@@ -53,6 +53,12 @@ impl WanderingHand {
 
 pub const SQUARE: Metric = Metric { column: 1.0, row: 1.0, up: 1.0 };
 
+/// Between two points, with cells of one metre.
+pub fn distance(from: &GridPoint, to: &GridPoint) -> f64 {
+    let [columns, rows, up] = to.relative_to(from.column, from.row, from.elevation);
+    (columns - from.u).hypot(rows - from.v).hypot(up)
+}
+
 /// How far below the true surface the proxy is, in parts of the relief around it (rounding only).
 pub fn depth_below_surface(grid: &Grid, contact: &Contact) -> f64 {
     oracle::depth_below_surface(grid, &contact.proxy)

@@ -1,0 +1,367 @@
+//! The god-object without constraint release (paper 2.3; Zilles and Salisbury 1995).
+//!
+//! In each update the god-object moves straight toward the goal. Each triangle that it meets adds its
+//! plane to the constraints, and from then on the goal is the hand's closest point on the
+//! intersection of these planes, by Lagrange multipliers. Three planes leave a single point.
+//!
+//! A plane goes on beyond its triangle, and stays a constraint until the update ends. So the proxy
+//! *floats* where the surface falls away from the plane, and *sticks* where it rises toward it (paper
+//! figure 4): on ground of many small triangles the hand feels a viscosity that is not there. Both are
+//! kept on purpose, to be felt and measured; [`GodObjectRelease`](crate::GodObjectRelease) has
+//! neither. The next update begins with no constraints, wherever the proxy is.
+//!
+//! Where the paper leaves something open:
+//!
+//! * A ray from a proxy on the surface starts from the feature that it rests on, never from an
+//!   epsilon; a floating proxy is in space above.
+//! * Planes that are singular together fix no more than the newest of them (parallel ones are the
+//!   same constraint): older ones give way to it.
+//! * The border of the map is a wall for a proxy on the map, and one of the three constraints. Over
+//!   a hole no plane holds: what slides out over it is out of contact.
+//! * Of a floating proxy [`Feature`] tells how many planes hold it: a face one, an edge two, a vertex
+//!   three. It is not on what the plane belongs to any more, but it is not free.
+
+use crate::contact::{Contact, ContactModel, Counters, Feature};
+use crate::distance::Distance;
+use crate::planes::{Plane, Scale, dot, project};
+use crate::proxy::{Place, Proxy};
+use crate::way::{ahead, cells_between, face_of_first, steps, target};
+use crate::weights::Weights;
+use surface::lattice::{along_edges, gradient};
+use surface::ray::{RayEnd, Side, Start, cast};
+use surface::{Grid, GridPoint, Heightfield, Metric, Sample, Triangle, on_heightfield};
+
+/// The god-object without constraint release.
+pub struct GodObject {
+    step_budget: u32,
+    proxy: Proxy,
+    /// What held it last.
+    feature: Feature,
+}
+
+/// What stays the same during one update.
+struct Search<'a, S> {
+    field: &'a Heightfield<'a, S>,
+    scale: Scale,
+    weights: Weights,
+    /// Where the hand is.
+    goal: GridPoint,
+    /// What the proxy moves toward: as near to the hand as the map goes.
+    target: GridPoint,
+}
+
+/// The constraints met so far in one update, in order.
+#[derive(Clone, Copy)]
+struct Constraints {
+    /// What the planes are relative to: the first triangle's first corner.
+    pivot: GridPoint,
+    planes: [Plane; 3],
+    /// The triangles that the planes belong to; none of a wall.
+    triangles: [Option<Triangle>; 3],
+    count: usize,
+}
+
+/// How a move ended.
+enum Move {
+    /// A triangle or a wall stopped it: there is a constraint more.
+    Stopped,
+    /// The update ends here.
+    Ended,
+}
+
+impl GodObject {
+    /// A proxy at sample (0, 0), out of contact, that may take `step_budget` steps in one update (at
+    /// least 2): projections, and cells of collision tests.
+    pub fn new(step_budget: u32) -> Self {
+        let proxy = Proxy::in_space(GridPoint::new(0.0, 0.0, 0.0));
+        Self { step_budget: step_budget.max(2), proxy, feature: Feature::Free }
+    }
+
+    fn minimise<S: Sample>(&mut self, search: &Search<S>, counters: &mut Counters) -> Feature {
+        let mut constraints = Constraints::none();
+        while constraints.count < 3 {
+            if steps(counters) >= self.step_budget {
+                counters.steps_left = cells_between(&self.proxy.position, &search.target);
+                break;
+            }
+            let Some(goal) = search.constrained_goal(&constraints) else { break };
+            if constraints.count > 0 {
+                counters.faces += 1;
+                if !search.is_nearer(&goal, &self.proxy.position) {
+                    break;
+                }
+            }
+            if let Move::Ended = self.move_toward(search, goal, &mut constraints, counters) {
+                break;
+            }
+        }
+        constraints.feature()
+    }
+
+    /// Moves the proxy straight toward its constrained goal, until it meets a triangle or a wall.
+    fn move_toward<S: Sample>(
+        &mut self,
+        search: &Search<S>,
+        goal: GridPoint,
+        constraints: &mut Constraints,
+        counters: &mut Counters,
+    ) -> Move {
+        let wall = search.wall_before(&self.proxy.position, &goal);
+        let end = wall.map_or(goal, |wall| wall.point);
+        counters.collision_tests += 1;
+        let start = match (ahead(search.field, &self.proxy, &end), self.proxy.place) {
+            (Some((triangle, true)), _) if !constraints.hold(&triangle) => {
+                return constraints.add_triangle(search, triangle);
+            }
+            (Some((triangle, _)), _) => Start::Surface(triangle),
+            (None, Place::Space(side)) => Start::Space(side),
+            (None, _) => Start::Space(Side::Unknown),
+        };
+        let most_cells = self.step_budget - steps(counters);
+        let ray = cast(search.field, &self.proxy.position, start, &end, most_cells);
+        counters.cells += ray.cells;
+        match ray.end {
+            RayEnd::Hit(triangle, position) => {
+                let came_nearer = search.is_nearer(&position, &self.proxy.position);
+                self.proxy = Proxy { position, place: Place::Face(triangle) };
+                match (constraints.hold(&triangle), came_nearer) {
+                    (false, _) => constraints.add_triangle(search, triangle),
+                    // Met again by rounding: the next ray starts from it, if that leads anywhere.
+                    (true, true) => Move::Stopped,
+                    (true, false) => Move::Ended,
+                }
+            }
+            RayEnd::OutOfSteps(position, side) => {
+                self.proxy = Proxy { position, place: Place::Space(side) };
+                counters.steps_left = cells_between(&position, &end);
+                Move::Ended
+            }
+            RayEnd::Clear(side) if constraints.count == 0 => {
+                self.proxy = Proxy { position: search.goal, place: Place::Space(side) };
+                Move::Ended
+            }
+            RayEnd::Clear(Side::Above) => {
+                let place = constraints.place_at(search.field, &end);
+                self.proxy = Proxy { position: end, place };
+                wall.map_or(Move::Ended, |wall| constraints.add_wall(search, &wall))
+            }
+            RayEnd::Clear(_) => {
+                // Out over a hole, where no plane holds.
+                self.proxy = Proxy::in_space(search.goal);
+                *constraints = Constraints::none();
+                Move::Ended
+            }
+        }
+    }
+}
+
+impl ContactModel for GodObject {
+    fn name(&self) -> &'static str {
+        "god_object"
+    }
+
+    fn proxy(&self) -> Proxy {
+        self.proxy
+    }
+
+    fn take_over(&mut self, proxy: Proxy) {
+        self.proxy = proxy;
+        self.feature = proxy.place.feature();
+    }
+
+    fn update(&mut self, grid: &Grid, metric: &Metric, goal: &GridPoint) -> Contact {
+        let mut counters = Counters::default();
+        if goal.is_finite() && metric.is_valid() {
+            self.feature = on_heightfield!(grid, field => {
+                let target = target(&field, &self.proxy.position, goal);
+                let search = Search {
+                    field: &field,
+                    scale: Scale::new(metric),
+                    weights: Weights::new(metric),
+                    goal: *goal,
+                    target,
+                };
+                self.minimise(&search, &mut counters)
+            });
+        }
+        Contact::new(self.proxy.position, self.feature, goal, metric, counters)
+    }
+}
+
+/// Where a way leaves the map.
+#[derive(Clone, Copy)]
+struct Wall {
+    point: GridPoint,
+    /// Of the wall, into the map, in the workspace.
+    normal: [f64; 3],
+}
+
+impl<S: Sample> Search<'_, S> {
+    /// The hand's closest point under the constraints.
+    fn constrained_goal(&self, constraints: &Constraints) -> Option<GridPoint> {
+        if constraints.count == 0 {
+            return Some(self.target);
+        }
+        let pivot = &constraints.pivot;
+        let goal = self.scale.between(pivot, &self.target);
+        let [columns, rows, up] = self.scale.on_grid(project(goal, constraints.planes())?);
+        let elevation = pivot.elevation + up;
+        let point = GridPoint::from_sample(pivot.column, pivot.row, columns, rows, elevation);
+        let point =
+            if constraints.hold_a_wall() { self.field.nearest_on_map(&point) } else { point };
+        let point = GridPoint { elevation: constraints.elevation_at(self.field, &point), ..point };
+        point.is_finite().then_some(point)
+    }
+
+    /// Whether `place` is nearer to the target than `other`, by more than rounding.
+    fn is_nearer(&self, place: &GridPoint, other: &GridPoint) -> bool {
+        let distance = |place| Distance::new(place, &self.target, &self.weights);
+        distance(place).is_less_than(&distance(other))
+    }
+
+    /// Where a way from a place on the map leaves the map, if it does.
+    fn wall_before(&self, from: &GridPoint, to: &GridPoint) -> Option<Wall> {
+        let border = self.field.nearest_on_map(to);
+        if border == *to || !self.field.is_on_map(from) {
+            return None;
+        }
+        let [columns, rows, up] = to.relative_to(from.column, from.row, from.elevation);
+        let way = [columns - from.u, rows - from.v];
+        let on_map = border.relative_to(from.column, from.row, 0.0);
+        let share = |axis: usize, start: f64, end: f64| {
+            let leaves = end != on_map[axis];
+            if leaves { (on_map[axis] - start) / way[axis] } else { f64::INFINITY }
+        };
+        let by_column = share(0, from.u, columns);
+        let by_row = share(1, from.v, rows);
+        let at = by_column.min(by_row).clamp(0.0, 1.0);
+        let (u, v) = (from.u + at * way[0], from.v + at * way[1]);
+        let elevation = from.elevation + at * up;
+        let point = GridPoint::from_sample(from.column, from.row, u, v, elevation);
+        let mut point = self.field.nearest_on_map(&point);
+        // Exactly on the border that stops it.
+        let normal = if by_column <= by_row {
+            (point.column, point.u) = (border.column, border.u);
+            [-way[0].signum(), 0.0, 0.0]
+        } else {
+            (point.row, point.v) = (border.row, border.v);
+            [0.0, way[1].signum(), 0.0]
+        };
+        Some(Wall { point, normal })
+    }
+}
+
+impl Constraints {
+    fn none() -> Self {
+        let plane = Plane { normal: [0.0, 0.0, 1.0], offset: 0.0 };
+        let pivot = GridPoint::new(0.0, 0.0, 0.0);
+        Self { pivot, planes: [plane; 3], triangles: [None; 3], count: 0 }
+    }
+
+    fn planes(&self) -> &[Plane] {
+        &self.planes[..self.count]
+    }
+
+    fn triangles(&self) -> impl DoubleEndedIterator<Item = &Triangle> {
+        self.triangles[..self.count].iter().flatten()
+    }
+
+    fn hold(&self, triangle: &Triangle) -> bool {
+        self.triangles().any(|held| held == triangle)
+    }
+
+    fn hold_a_wall(&self) -> bool {
+        self.triangles[..self.count].iter().any(Option::is_none)
+    }
+
+    fn feature(&self) -> Feature {
+        match self.count {
+            0 => Feature::Free,
+            1 => Feature::Face,
+            2 => Feature::Edge,
+            _ => Feature::Vertex,
+        }
+    }
+
+    fn add_triangle<S: Sample>(&mut self, search: &Search<S>, triangle: Triangle) -> Move {
+        let [first, second, third] = search.field.corner_elevations(&triangle);
+        let slope = gradient(face_of_first(triangle.half), second - first, third - first);
+        let (column, row) = (triangle.column, triangle.row);
+        let corner = GridPoint { column, row, u: 0.0, v: 0.0, elevation: first };
+        if self.count == 0 {
+            self.pivot = corner;
+        }
+        self.add(search, search.scale.normal(slope), &corner, Some(triangle))
+    }
+
+    fn add_wall<S: Sample>(&mut self, search: &Search<S>, wall: &Wall) -> Move {
+        self.add(search, wall.normal, &wall.point, None)
+    }
+
+    fn add<S: Sample>(
+        &mut self,
+        search: &Search<S>,
+        normal: [f64; 3],
+        point: &GridPoint,
+        triangle: Option<Triangle>,
+    ) -> Move {
+        let offset = dot(normal, search.scale.between(&self.pivot, point));
+        self.planes[self.count] = Plane { normal, offset };
+        self.triangles[self.count] = triangle;
+        self.count += 1;
+        self.keep_regular();
+        Move::Stopped
+    }
+
+    /// Lets go of the older planes that are singular with the newest, of one if that will do.
+    fn keep_regular(&mut self) {
+        if self.is_regular() {
+            return;
+        }
+        let all = *self;
+        for older in 0..all.count - 1 {
+            *self = all.without(older);
+            if self.is_regular() {
+                return;
+            }
+        }
+        *self = all;
+        while self.count > 1 {
+            *self = self.without(0);
+        }
+    }
+
+    fn is_regular(&self) -> bool {
+        project([0.0; 3], self.planes()).is_some()
+    }
+
+    fn without(&self, index: usize) -> Self {
+        let mut fewer = *self;
+        fewer.planes.copy_within(index + 1.., index);
+        fewer.triangles.copy_within(index + 1.., index);
+        fewer.count -= 1;
+        fewer
+    }
+
+    /// The height of the planes at a place on all of them; of what rounding makes of it, the highest,
+    /// so that no way there leads under one.
+    fn elevation_at<S: Sample>(&self, field: &Heightfield<S>, point: &GridPoint) -> f64 {
+        let heights = self.triangles().map(|triangle| {
+            let [u, v, _] = point.relative_to(triangle.column, triangle.row, 0.0);
+            field.plane_elevation(triangle, u, v)
+        });
+        heights.fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    /// What a proxy at `point` lies on: the newest of the triangles that reach so far, or nothing, and
+    /// it floats.
+    fn place_at<S: Sample>(&self, field: &Heightfield<S>, point: &GridPoint) -> Place {
+        let is_under = |triangle: &&Triangle| {
+            let [u, v, _] = point.relative_to(triangle.column, triangle.row, 0.0);
+            let (second, third) = along_edges(face_of_first(triangle.half), u, v);
+            second >= 0.0 && third >= 0.0 && second + third <= 1.0 && field.is_present(triangle)
+        };
+        let under = self.triangles().rev().find(is_under);
+        under.map_or(Place::Space(Side::Above), |triangle| Place::Face(*triangle))
+    }
+}

@@ -1,0 +1,414 @@
+//! The virtual proxy (paper 2.2; Ruspini, Kolarov and Khatib 1997): a sphere.
+//!
+//! The proxy is the centre of a sphere, moved toward the goal in *configuration space*, where the
+//! sphere is a point and the ground is grown by its radius. As in Ruspini's model the constraints are
+//! tangent planes of the grown obstacles: each triangle around gives one plane, between itself and
+//! the sphere, behind which the centre may not go. The place closest to the goal on the free sides of
+//! all of them (a quadratic program; at most three planes hold it) is where the centre moves; there
+//! it looks around anew, until it comes no nearer. A triangle is convex and lies behind its plane, so
+//! the straight way there is free as well: the sphere cannot sink into the ground or jump through
+//! it, and its distance to the goal only falls.
+//!
+//! The force is from the goal to the centre, as in the paper; in the air the centre is at the goal.
+//!
+//! Where the paper leaves something open:
+//!
+//! * Distances are relative to the centre, in cell widths; nothing depends on where on the planet
+//!   it is. The centre may be nearer to the surface than the radius by [`TOLERANCE`] of it and the
+//!   rounding of its coordinates, no more; a step that would be is not taken.
+//! * A move ends where the squared distance to the goal falls by less than [`LEAST_GAIN`] of the
+//!   squared radius: from there a still hand gives the same proxy bit for bit.
+//! * A sphere does not come to be in the ground by moving, but by a switch of model or of scale. Then
+//!   the centre moves out along the shortest way, or straight up where that leads nowhere.
+//! * A sphere put in the ground (or so low that it reaches into it) touches nothing until it has
+//!   come out wholly. The same holds for one in a hole: over a hole only triangles that the centre
+//!   is above count, so the rim carries a sphere that does not fit, and what has fallen in comes out
+//!   only upwards. The border of the map is a wall for a centre on the map.
+//! * All cells in the sphere's shadow, and one more on each side, are looked at in each step:
+//!   the cost grows with the square of the radius in cells. A sphere whose shadow has more cells than a
+//!   quarter of the step budget is as large as fits ([`VirtualProxy::radius`] tells how large).
+
+mod nearest;
+mod polyhedron;
+mod surroundings;
+
+use crate::contact::{Contact, ContactModel, Counters, Feature};
+use crate::planes::{Plane, Scale, dot, length, plus, unit};
+use crate::proxy::{Place, Proxy};
+use crate::way::{cells_between, steps, target};
+use polyhedron::closest;
+use surface::ray::{RayEnd, Side, Start, cast};
+use surface::{Grid, GridPoint, Heightfield, Metric, Sample, on_heightfield};
+use surroundings::{Between, MOST_WALLS, Shadow, Sphere, Surroundings, Survey};
+
+/// Share of the radius by which rounding may let the sphere into the ground.
+const TOLERANCE: f64 = 1e-7;
+
+/// Share of the squared radius by which the squared distance to the goal has to fall in a step.
+const LEAST_GAIN: f64 = 1e-12;
+
+/// Cell widths; a smaller sphere is a point to the rounding of the coordinates.
+const SMALLEST_RADIUS: f64 = 1e-9;
+
+/// An update looks around at least four times.
+const SURVEYS: u32 = 4;
+
+/// Cells in a shadow, at the most: the memory for a look around stays below a megabyte.
+const MOST_CELLS: u32 = 4096;
+
+/// The smallest shadow has 16 cells; with the cells of a step, four looks around take no more.
+const FEWEST_STEPS: u32 = 100;
+
+/// Cells under a step of at most a column and a row, and one to spare.
+const CELLS_OF_A_STEP: u32 = 4;
+
+/// Looks around on the way out of the ground, before the sphere is lifted straight up.
+const SURVEYS_ON_THE_WAY_OUT: u32 = 16;
+
+/// Cell widths, of the terrain's relief around or of a cell: a goal farther away pulls as one there
+/// does. Beyond, the rounding of its coordinates would move the sphere.
+const FARTHEST_PULL: f64 = 1e7;
+
+/// The sphere.
+pub struct VirtualProxy {
+    radius: f64,
+    step_budget: u32,
+    centre: GridPoint,
+    state: State,
+    /// What it touches.
+    feature: Feature,
+    surroundings: Surroundings,
+}
+
+/// Where the sphere is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum State {
+    /// Outside the ground: it can touch. The centre is over ground or not.
+    Outside { is_over_ground: bool },
+    /// Inside the ground: nothing touches.
+    Inside,
+    /// Where another model, or a person, put it: to be seen in the next update.
+    Arriving(Place),
+}
+
+/// What stays the same during one update.
+struct Search<'a, S> {
+    field: &'a Heightfield<'a, S>,
+    scale: Scale,
+    /// Of the sphere, cell widths.
+    radius: f64,
+    /// Where the hand is.
+    goal: GridPoint,
+    /// What the centre moves toward: as near to the hand as the map goes.
+    target: GridPoint,
+}
+
+impl VirtualProxy {
+    /// A sphere of `radius` workspace metres at sample (0, 0), out of contact, that may look at
+    /// `step_budget` cells in one update (at least 100: four times at the smallest shadow).
+    ///
+    /// # Panics
+    /// Where `radius` is not positive and finite.
+    pub fn new(radius: f64, step_budget: u32) -> Self {
+        assert!(radius > 0.0 && radius.is_finite(), "a sphere's radius is positive: {radius}");
+        let step_budget = step_budget.max(FEWEST_STEPS);
+        Self {
+            radius,
+            step_budget,
+            centre: GridPoint::new(0.0, 0.0, 0.0),
+            state: State::Arriving(Place::Space(Side::Unknown)),
+            feature: Feature::Free,
+            surroundings: Surroundings::with_room_for(most_cells(step_budget)),
+        }
+    }
+
+    /// The sphere's radius under this metric, workspace metres: as it was given, or the largest whose
+    /// shadow the step budget can look at.
+    pub fn radius(&self, metric: &Metric) -> f64 {
+        self.radius_in_cells(metric) * metric.column
+    }
+
+    fn radius_in_cells(&self, metric: &Metric) -> f64 {
+        let largest = Shadow::largest_radius(most_cells(self.step_budget), &Scale::new(metric));
+        (self.radius / metric.column).max(SMALLEST_RADIUS).min(largest)
+    }
+
+    fn minimise<S: Sample>(&mut self, search: &Search<S>, counters: &mut Counters) {
+        if let State::Arriving(place) = self.state {
+            self.arrive(search, place, counters);
+        }
+        match self.state {
+            State::Outside { .. } => self.advance(search, counters),
+            _ => self.follow_inside(search, counters),
+        }
+    }
+
+    /// Finds out whether a sphere that was put somewhere is in the ground.
+    fn arrive<S: Sample>(&mut self, search: &Search<S>, place: Place, counters: &mut Counters) {
+        let was_outside = !matches!(place, Place::Space(Side::Unknown | Side::Below));
+        self.state = State::Inside;
+        let Some(survey) = self.survey(search, counters) else { return };
+        if was_outside || survey.is_clear(&search.sphere_at(&self.centre)) {
+            self.state = State::Outside { is_over_ground: survey.height.is_some() };
+        }
+    }
+
+    /// Moves the sphere toward the goal, along what it touches.
+    fn advance<S: Sample>(&mut self, search: &Search<S>, counters: &mut Counters) {
+        let mut settled = None;
+        loop {
+            let Some(survey) = self.survey(search, counters) else {
+                // What has not been looked at is not known to be free.
+                self.centre = settled.unwrap_or(self.centre);
+                counters.steps_left = cells_between(&self.centre, &search.target);
+                return;
+            };
+            if !survey.is_clear(&search.sphere_at(&self.centre)) {
+                let came_over_ground = self.state == State::Outside { is_over_ground: true };
+                match settled {
+                    None if !survey.is_behind => {
+                        self.move_out(search, survey, counters);
+                        settled = Some(self.centre);
+                        continue;
+                    }
+                    Some(settled) if came_over_ground => {
+                        self.centre = settled;
+                        return;
+                    }
+                    // Fallen into a hole, and under the ground beside it.
+                    _ => return self.follow_inside(search, counters),
+                }
+            }
+            settled = Some(self.centre);
+            self.state = State::Outside { is_over_ground: survey.height.is_some() };
+            self.feature = survey.touched(&search.sphere_at(&self.centre));
+            let step = search.step(&mut self.surroundings, &self.centre, &survey);
+            let open = step.and_then(|step| self.look_along(search, step, counters));
+            match open {
+                Some((Step::ToGoal, side)) => return self.reach_goal(search, side),
+                Some((Step::To(centre), _)) => self.centre = centre,
+                None => {
+                    self.feature = survey.feature;
+                    return;
+                }
+            }
+        }
+    }
+
+    /// A step, and the side of the surface that the centre is on after it; `None` where the centre
+    /// itself would go through the surface: rounding hid it, as it may where heights dwarf cells.
+    fn look_along<S: Sample>(
+        &self,
+        search: &Search<S>,
+        step: Step,
+        counters: &mut Counters,
+    ) -> Option<(Step, Side)> {
+        let to = match step {
+            Step::ToGoal => search.goal,
+            Step::To(centre) => centre,
+        };
+        let start = Start::Space(self.side());
+        let ray = cast(search.field, &self.centre, start, &to, CELLS_OF_A_STEP);
+        counters.cells += ray.cells;
+        match ray.end {
+            RayEnd::Hit(..) => None,
+            RayEnd::Clear(side) | RayEnd::OutOfSteps(_, side) => Some((step, side)),
+        }
+    }
+
+    /// Of the surface, as far as the state tells.
+    fn side(&self) -> Side {
+        match self.state {
+            State::Outside { is_over_ground: true } => Side::Above,
+            _ => Side::Unknown,
+        }
+    }
+
+    fn reach_goal<S: Sample>(&mut self, search: &Search<S>, side: Side) {
+        self.centre = search.goal;
+        self.feature = Feature::Free;
+        self.state = match side {
+            Side::Below => State::Inside,
+            _ => State::Outside { is_over_ground: side == Side::Above },
+        };
+    }
+
+    /// Follows the goal where nothing holds the sphere, until it has wholly come out.
+    fn follow_inside<S: Sample>(&mut self, search: &Search<S>, counters: &mut Counters) {
+        self.centre = search.goal;
+        self.feature = Feature::Free;
+        self.state = State::Inside;
+        if let Some(survey) = self.survey(search, counters)
+            && survey.is_clear(&search.sphere_at(&self.centre))
+        {
+            self.state = State::Outside { is_over_ground: survey.height.is_some() };
+        }
+    }
+
+    /// Moves a sphere that reaches into the ground out of it: the shortest way, or up.
+    fn move_out<S: Sample>(
+        &mut self,
+        search: &Search<S>,
+        mut survey: Survey,
+        counters: &mut Counters,
+    ) {
+        let sphere = &search.sphere_at(&self.centre);
+        for _ in 0..SURVEYS_ON_THE_WAY_OUT {
+            if survey.is_underground(sphere) {
+                break;
+            }
+            let walls = search.walls(&self.centre);
+            let planes = self.surroundings.planes(Between::Shortest, &walls);
+            let Some((way, _)) = closest([0.0; 3], planes) else { break };
+            let before = self.centre;
+            self.centre = search.moved(&before, search.limited(way));
+            let Some(next) = self.survey(search, counters) else {
+                self.centre = before;
+                break;
+            };
+            if next.is_clear(sphere) {
+                return;
+            }
+            survey = next;
+        }
+        let rise = (survey.highest + sphere.radius + sphere.tolerance).max(0.0);
+        self.centre = search.moved(&self.centre, [0.0, 0.0, rise]);
+    }
+
+    /// Looks around the sphere; `None` where the step budget does not reach so far.
+    fn survey<S: Sample>(&mut self, search: &Search<S>, counters: &mut Counters) -> Option<Survey> {
+        let Search { field, scale, radius, .. } = search;
+        let shadow = Shadow::new(&self.centre, *radius, scale);
+        if steps(counters) + shadow.cells() + CELLS_OF_A_STEP > self.step_budget {
+            return None;
+        }
+        counters.cells += shadow.cells();
+        counters.collision_tests += 1;
+        let sphere = search.sphere_at(&self.centre);
+        Some(self.surroundings.survey(field, scale, &self.centre, &sphere, &shadow))
+    }
+}
+
+impl ContactModel for VirtualProxy {
+    fn name(&self) -> &'static str {
+        "virtual_proxy"
+    }
+
+    fn proxy(&self) -> Proxy {
+        let place = match self.state {
+            State::Arriving(place) => place,
+            _ => Place::Space(self.side()),
+        };
+        Proxy { position: self.centre, place }
+    }
+
+    fn take_over(&mut self, proxy: Proxy) {
+        self.centre = proxy.position;
+        self.state = State::Arriving(proxy.place);
+        self.feature = proxy.place.feature();
+    }
+
+    fn update(&mut self, grid: &Grid, metric: &Metric, goal: &GridPoint) -> Contact {
+        let mut counters = Counters::default();
+        if goal.is_finite() && metric.is_valid() {
+            let radius = self.radius_in_cells(metric);
+            let scale = Scale::new(metric);
+            on_heightfield!(grid, field => {
+                let target = target(&field, &self.centre, goal);
+                let search = Search { field: &field, scale, radius, goal: *goal, target };
+                self.minimise(&search, &mut counters)
+            });
+        }
+        Contact::new(self.centre, self.feature, goal, metric, counters)
+    }
+}
+
+/// Cells that one look around may take.
+fn most_cells(step_budget: u32) -> u32 {
+    (step_budget / SURVEYS - CELLS_OF_A_STEP).min(MOST_CELLS)
+}
+
+/// What a look around leads to.
+enum Step {
+    /// To the goal, and nothing is touched.
+    ToGoal,
+    /// To this place.
+    To(GridPoint),
+}
+
+impl<S: Sample> Search<'_, S> {
+    /// The sphere around a centre.
+    fn sphere_at(&self, centre: &GridPoint) -> Sphere {
+        // Of the coordinates of what it can touch.
+        let size = 2.0 + self.scale.row + self.radius + centre.elevation.abs() * self.scale.up;
+        let rounding = 16.0 * f64::EPSILON * size;
+        Sphere { radius: self.radius, tolerance: TOLERANCE * self.radius + rounding }
+    }
+
+    /// The next step of a sphere that has looked around; `None` where it comes no nearer.
+    fn step(
+        &self,
+        surroundings: &mut Surroundings,
+        centre: &GridPoint,
+        survey: &Survey,
+    ) -> Option<Step> {
+        let walls = self.walls(centre);
+        let way = self.scale.between(centre, &self.target);
+        let distance = length(way);
+        if !distance.is_finite() {
+            return None;
+        }
+        let share = FARTHEST_PULL * survey.extent / distance;
+        let pull = if share < 1.0 { way.map(|part| share * part) } else { way };
+        let mut step =
+            |between| self.step_between(surroundings.planes(between, &walls), centre, pull);
+        match step(Between::Glide).or_else(|| step(Between::Shortest))? {
+            // The goal was pulled nearer: it is not there yet.
+            Step::ToGoal if share < 1.0 => Some(Step::To(self.moved(centre, self.limited(pull)))),
+            step => Some(step),
+        }
+    }
+
+    /// The step to the place closest to the goal, which is `pull` away, on the free side of all planes.
+    fn step_between(&self, planes: &[Plane], centre: &GridPoint, pull: [f64; 3]) -> Option<Step> {
+        let (step, is_held) = closest(pull, planes)?;
+        let limited = self.limited(step);
+        if !is_held && limited == step {
+            return Some(Step::ToGoal);
+        }
+        let gain = dot(limited, plus(plus(pull, 1.0, pull), -1.0, limited));
+        let least = LEAST_GAIN * self.radius * self.radius
+            + 16.0 * f64::EPSILON * length(limited) * (length(pull) + length(limited));
+        // False for NaN too.
+        let comes_nearer = gain > least;
+        comes_nearer.then(|| Step::To(self.moved(centre, limited)))
+    }
+
+    /// A step, as far as was looked: a column and a row.
+    fn limited(&self, step: [f64; 3]) -> [f64; 3] {
+        let cells = step[0].abs().max(step[1].abs() / self.scale.row);
+        if cells > 1.0 { step.map(|part| part / cells) } else { step }
+    }
+
+    /// The place that a step leads to; on the map, where it began there.
+    fn moved(&self, from: &GridPoint, step: [f64; 3]) -> GridPoint {
+        let [columns, rows, up] = self.scale.on_grid(step);
+        let (u, v, elevation) = (from.u + columns, from.v + rows, from.elevation + up);
+        let point = GridPoint::from_sample(from.column, from.row, u, v, elevation);
+        if self.field.is_on_map(from) { self.field.nearest_on_map(&point) } else { point }
+    }
+
+    /// The borders of the map within reach, for a centre on the map.
+    fn walls(&self, centre: &GridPoint) -> [Option<Plane>; MOST_WALLS] {
+        let is_on_map = self.field.is_on_map(centre);
+        [(2.0, 0.0), (-2.0, 0.0), (0.0, 2.0), (0.0, -2.0)].map(|(columns, rows)| {
+            let (u, v) = (centre.u + columns, centre.v + rows);
+            let out = GridPoint::from_sample(centre.column, centre.row, u, v, centre.elevation);
+            let border = self.field.nearest_on_map(&out);
+            (is_on_map && border != out).then(|| {
+                let normal = unit(self.scale.vector([-columns, -rows, 0.0]));
+                Plane { normal, offset: dot(normal, self.scale.between(centre, &border)) }
+            })
+        })
+    }
+}
