@@ -166,7 +166,7 @@ fn make<'a>(
     for size in sizes {
         progress(&format!("planet of {} triangles", size.key));
         let planet = Planet::make(*size, relief, &options.output)?;
-        planet.map_pages()?;
+        planet.read_through()?;
         planets.push(planet);
     }
     Ok(planets)

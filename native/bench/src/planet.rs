@@ -1,9 +1,18 @@
 //! Synthetic planets of several sizes, as files mapped like any other grid.
 
+use crate::path::Course;
 use crate::terrain::{Relief, Terrain};
-use std::io;
+use std::fs::File;
+use std::hint::black_box;
+use std::io::{self, Read};
 use std::path::{Path, PathBuf};
-use surface::{Grid, GridError};
+use surface::{Grid, GridError, GridPoint};
+
+/// Bytes of a page.
+const PAGE: usize = 4096;
+
+/// Cells beside a path whose pages are touched before.
+const ASIDE: i64 = 64;
 
 /// A size: its name in figures and tables, columns and rows.
 #[derive(Clone, Copy, Debug)]
@@ -85,22 +94,40 @@ impl<'a> Planet<'a> {
         Ok(Self { size, terrain, grid, path })
     }
 
-    /// Maps every page of the file, without reading any: a page's first touch is another story.
-    #[cfg(target_os = "linux")]
-    pub fn map_pages(&self) -> io::Result<()> {
-        let first = self.grid.sample_address(0, 0).expect("every grid has a first sample");
-        let length = self.terrain.layout().byte_length() as usize;
-        // SAFETY: the range is the grid's own mapping; the advice changes no byte.
-        let failed = unsafe {
-            libc::madvise(first.cast_mut().cast(), length, libc::MADV_POPULATE_READ) != 0
-        };
-        if failed { Err(io::Error::last_os_error()) } else { Ok(()) }
+    /// Reads the file once in order, so that it is in the system's page cache as far as it fits.
+    pub fn read_through(&self) -> io::Result<()> {
+        let mut file = File::open(&self.path)?;
+        let mut buffer = vec![0; 8 << 20];
+        while file.read(&mut buffer)? > 0 {}
+        Ok(())
     }
 
-    /// Elsewhere pages are mapped as they are touched.
-    #[cfg(not(target_os = "linux"))]
-    pub fn map_pages(&self) -> io::Result<()> {
-        Ok(())
+    /// Touches each page around each leg of a course, in one line of its 64, so that the system (and
+    /// a virtual machine's host) has it mapped: a page's first touch is another story.
+    pub fn touch_pages(&self, course: &Course) {
+        for leg in course.goals.chunks(course.leg) {
+            let bounds = |line: fn(&GridPoint) -> i64| {
+                let lines = leg.iter().map(line);
+                lines
+                    .fold((i64::MAX, i64::MIN), |(low, high), line| (low.min(line), high.max(line)))
+            };
+            let (west, east) = bounds(|goal| goal.column);
+            let (north, south) = bounds(|goal| goal.row);
+            for row in north - ASIDE..=south + ASIDE {
+                let columns = (west - ASIDE..=east + ASIDE).step_by(PAGE / 2);
+                for column in columns.chain([east + ASIDE]) {
+                    self.touch_page(column, row);
+                }
+            }
+        }
+    }
+
+    fn touch_page(&self, column: i64, row: i64) {
+        if let Some(address) = self.grid.sample_address(column, row) {
+            let page = address as usize / PAGE * PAGE;
+            // SAFETY: a mapping begins with a page, so this byte is of the grid's own mapping.
+            black_box(unsafe { (page as *const u8).read_volatile() });
+        }
     }
 
     /// Removes the file.

@@ -1,7 +1,7 @@
 //! Whether an update costs more on a larger planet: the same local terrain at random places.
 //!
 //! Paths are made from the generator, not from the file, so that no line of it is touched before
-//! the model comes. The file's pages are in the system's page cache and mapped.
+//! the model comes but one in each page: the pages are in the system's page cache and mapped.
 
 use crate::cache::{CAN_FLUSH, Lines, Warmth};
 use crate::contenders::{CONTENDERS, Contender, GRAPH, WALK};
@@ -68,6 +68,9 @@ fn measure_one(
     let courses: Vec<_> = (0..planets.len())
         .map(|planet| course(&planets[planet], &scenes[planet], speed, seed, &places[planet]))
         .collect();
+    for (planet, course) in planets.iter().zip(&courses) {
+        planet.touch_pages(course);
+    }
     let race = |lines: &[Lines], warmth| {
         let tracks: Vec<_> = (0..planets.len())
             .map(|planet| Track {
