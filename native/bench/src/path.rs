@@ -23,8 +23,10 @@ const LEG: usize = 512;
 /// Radians by which a poking hand goes on in an update, at the most.
 const POKES: f64 = 0.03;
 
-/// Height over the ground at which a path begins, widths of a cell.
-const START: f64 = 0.5;
+/// Height at which a proxy begins over all ground within two cells, widths of a cell: room for a
+/// sphere of half a cell beside a cliff too.
+const START: f64 = 0.6;
+const AROUND: std::ops::RangeInclusive<i64> = -2..=2;
 
 /// A hand's path over a scene, in legs that each begin somewhere else: a slow hand would else stay
 /// at one place.
@@ -125,7 +127,12 @@ impl Hand {
         let height = |way: &Way| surface(&GridPoint::new(way.column, way.row, 0.0)) / up;
         let (least, most) = self.depth;
         let mut smoothed = height(&way);
-        let start = GridPoint::new(way.column, way.row, (smoothed + START) * up);
+        let beside = |east: i64, south: i64| {
+            surface(&GridPoint::new(way.column + east as f64, way.row + south as f64, 0.0)) / up
+        };
+        let around = AROUND.flat_map(|east| AROUND.map(move |south| (east, south)));
+        let highest = around.map(|(east, south)| beside(east, south)).fold(smoothed, f64::max);
+        let start = GridPoint::new(way.column, way.row, (highest + START) * up);
         course.starts.push(proxy_at(start, false));
         let mut pressed = random.unit();
         let phase = random.between(0.0, TAU);
