@@ -2,7 +2,8 @@
 #
 #   make PYTHON=path          use this interpreter (3.11 or 3.13) instead of the first that runs
 #   make demo GRID=path       touch this MOLA grid (.lbl or .img) instead of the synthetic sample
-#   make bench GRID=path      measure on this MOLA grid
+#   make bench GRID=path      measure on this MOLA grid of 4 pixels per degree too
+#   make bench-contact-large KEEP=1    leave the large synthetic grids on the disk
 #   make demo BLENDER=path    run the demo in this Blender (4.2 to 5.2) instead of the bpy module
 #   make test ARGS='-k ...'   hand arguments to pytest
 #   make test BPY=4.2.23      test with another release of the bpy module (one for this Python)
@@ -17,6 +18,7 @@ PYTHON ?=
 GRID ?=
 BLENDER ?=
 BPY ?=
+KEEP ?=
 ARGS ?=
 
 ROOT := $(CURDIR)
@@ -24,7 +26,7 @@ BUILD := build
 
 # Finding an interpreter means running candidates: only for goals that need one. In the person's own
 # Blender (BLENDER=path) the demo needs Python for building only, so any release will do.
-WITHOUT_PYTHON := help clean cargo test-native
+WITHOUT_PYTHON := help clean cargo test-native bench-contact-large
 GOALS := $(or $(MAKECMDGOALS),help)
 ifneq ($(filter-out $(WITHOUT_PYTHON),$(GOALS)),)
 VERSIONS := 3.13 3.11$(if $(BLENDER), 3.14 3.12)
@@ -40,6 +42,8 @@ NATIVE := $(VENV)/native.stamp
 SITE := $(BUILD)/site
 SAMPLE := $(BUILD)/sample/sample.lbl
 PACKAGE := $(BUILD)/package
+BENCH := $(BUILD)/bench
+MOLA := $(or $(GRID),../shared/data/mola/megt90n000cb.lbl)
 
 NATIVE_SOURCES := $(shell find native \( -name target -o -name tests \) -prune -o -type f \
 	\( -name '*.rs' -o -name 'Cargo.*' -o -name '*.toml' -o -name '*.pyi' -o -name py.typed \) -print)
@@ -58,8 +62,8 @@ unexport PYTHONPATH PYTHONHOME
 .PHONY: help
 help: ## Show what can be made
 	@echo "Haptic Terrain: touch planetary terrain in Blender"
-	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' Makefile
-	@echo "Options: PYTHON=path, GRID=path for demo and bench, BLENDER=path for demo, ARGS='...' for test, BPY=version."
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-20s %s\n", $$1, $$2 }' Makefile
+	@echo "Options: PYTHON=path, GRID=path for demo and bench, KEEP=1 for bench-contact-large, BLENDER=path for demo, ARGS='...' for test, BPY=version."
 
 # ---------------------------------------------------------------- set-up
 
@@ -157,13 +161,21 @@ format: $(PACKAGES) | cargo ## Format all code in place
 	@$(BIN)/ruff format --quiet $(PYTHON_CODE)
 
 .PHONY: bench
-bench: cargo $(NATIVE) $(SAMPLE) ## Run every bench: tables, and figures in build/bench/*.json
-	@mkdir -p $(BUILD)/bench
-	@for bench in tests/bench/bench_*.py; do \
-		test -e "$$bench" || { echo "There is no bench in tests/bench." >&2; exit 1; }; \
-		echo; echo "== $$bench"; \
-		$(BIN)/python "$$bench" $(if $(GRID),--grid "$(GRID)"); \
-	done
+bench: bench-contact ## Run every bench: tables, pictures and figures in build/bench
+
+# The same release profile as the wheel's, and as little of the processor.
+CONTACT_BENCH := cargo run --quiet --release --manifest-path native/Cargo.toml --package contact_bench --
+
+.PHONY: bench-contact
+bench-contact: cargo $(PACKAGES) ## Measure contact models on 33 and 133 million triangles: speed against accuracy
+	@mkdir -p $(BENCH)
+	@$(CONTACT_BENCH) --output $(BENCH) --mola "$(MOLA)"
+	@$(BIN)/python tests/bench/draw_frontier.py $(BENCH)/contact.json $(BENCH)/frontier.png
+
+.PHONY: bench-contact-large
+bench-contact-large: cargo ## The same walk on 2 and 10 thousand million triangles: 12 GB on the disk meanwhile
+	@mkdir -p $(BENCH)
+	@$(CONTACT_BENCH) --large $(if $(KEEP),--keep) --output $(BENCH)
 
 # ---------------------------------------------------------------- the extension
 

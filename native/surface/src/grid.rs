@@ -102,6 +102,20 @@ impl Grid {
         self.storage.look_at_file();
     }
 
+    /// Where a sample's bytes lie, for tools that look at caches and pages; `None` off the map. On a
+    /// grid that wraps, columns run on beyond the last one.
+    pub fn sample_address(&self, column: i64, row: i64) -> Option<*const u8> {
+        let layout = &self.layout;
+        let columns = i64::from(layout.columns());
+        let column = if layout.wraps() { column.rem_euclid(columns) } else { column };
+        if !(0..columns).contains(&column) || !(0..i64::from(layout.rows())).contains(&row) {
+            return None;
+        }
+        let in_row = column as u64 * layout.sample().bytes() as u64;
+        let offset = layout.offset() + row as u64 * layout.row_stride() + in_row;
+        Some(self.storage.address().wrapping_add(offset as usize))
+    }
+
     pub(crate) fn storage(&self) -> &Storage {
         &self.storage
     }

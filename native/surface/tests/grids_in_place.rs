@@ -52,6 +52,29 @@ fn offset_stride_scale_and_void_are_read_in_place() {
 }
 
 #[test]
+fn an_address_is_that_of_the_sample() {
+    let bytes: Vec<u8> = (0..20).collect();
+    let layout = layout(2, 3, SampleType::U16)
+        .with_offset(2)
+        .and_then(|layout| layout.with_row_stride(8))
+        .unwrap();
+    let grid = Grid::from_vec(bytes, layout.with_wrap(true)).unwrap();
+    let first = grid.sample_address(0, 0).unwrap() as usize;
+    for (column, row, offset) in [(0, 0, 0), (2, 0, 4), (1, 1, 10), (4, 1, 10), (-2, 1, 10)] {
+        let address = grid.sample_address(column, row).unwrap();
+        assert_eq!(address as usize - first, offset, "({column}, {row})");
+        // SAFETY: the bytes are the grid's, which is still there.
+        let found = unsafe { address.cast::<[u8; 2]>().read() };
+        let expected = grid.elevation(column, row).unwrap();
+        assert_eq!(f64::from(u16::from_be_bytes(found)), expected);
+    }
+    assert_eq!(grid.sample_address(0, 2), None);
+    let island = Grid::from_vec(vec![0; 20], layout).unwrap();
+    assert_eq!(island.sample_address(3, 0), None);
+    assert_eq!(island.sample_address(-1, 0), None);
+}
+
+#[test]
 fn infinite_and_nan_samples_are_void() {
     let samples = [1.0f32, f32::NAN, f32::INFINITY, f32::NEG_INFINITY];
     let bytes = samples.iter().flat_map(|sample| sample.to_be_bytes()).collect();
