@@ -154,7 +154,7 @@ impl<'a> Observer<'a> {
         self.conduct.under_surface += u64::from(depth > ROUNDING);
         if let Some((goal_before, before)) = self.before {
             let motion = length(between(&goal_before, goal, &self.metric));
-            let [was, is] = [&before, contact].map(|contact| cells(contact.distance, &self.metric));
+            let [was, is] = [&before, contact].map(|contact| cells(contact.distance(), &self.metric));
             let grew = is - was - motion;
             self.conduct.grew += u64::from(grew > ROUNDING * (was + motion + 1.0));
             if motion > 0.0 {
@@ -174,14 +174,14 @@ pub fn cells(metres: f64, metric: &Metric) -> f64 {
 
 /// The force of a spring of stiffness 1 between goal and proxy, widths of a cell.
 pub fn force(contact: &Contact, metric: &Metric) -> [f64; 3] {
-    contact.normal.map(|part| part * cells(contact.distance, metric))
+    contact.normal().map(|part| part * cells(contact.distance(), metric))
 }
 
 /// All that a person could feel of a contact, to the last bit.
 fn bits(contact: &Contact) -> [u64; 9] {
-    let [x, y, z] = contact.normal.map(f64::to_bits);
+    let [x, y, z] = contact.normal().map(f64::to_bits);
     let proxy = contact.proxy;
     let place = [proxy.u, proxy.v, proxy.elevation].map(f64::to_bits);
-    let distance = contact.distance.to_bits();
+    let distance = contact.distance().to_bits();
     [x, y, z, place[0], place[1], place[2], proxy.column as u64, proxy.row as u64, distance]
 }

@@ -138,11 +138,11 @@ fn from_oracle(
 
 /// What of a proxy touches the surface: the proxy, and of a sphere the point nearest to the goal.
 fn touch_point(contender: &Contender, contact: &Contact, metric: &Metric) -> GridPoint {
-    if contender.key != SPHERE || contact.distance <= RADIUS * CELL {
+    if contender.key != SPHERE || contact.distance() <= RADIUS * CELL {
         return contact.proxy;
     }
     let GridPoint { column, row, u, v, elevation } = contact.proxy;
-    let [right, away, up] = contact.normal.map(|part| part * RADIUS * CELL);
+    let [right, away, up] = contact.normal().map(|part| part * RADIUS * CELL);
     let (u, v) = (u - right / metric.column, v + away / metric.row);
     GridPoint::from_sample(column, row, u, v, elevation - up / metric.up)
 }

@@ -29,8 +29,7 @@ impl ContactModel for Spoilt<Change> {
         let mut contact = Contact {
             proxy: proxy.position,
             feature: proxy.place.feature(),
-            normal: [0.0, 0.0, 1.0],
-            distance: 0.0,
+            displacement: [0.0; 3],
             counters: Counters::default(),
         };
         (self.spoil)(self.updates, &mut contact, &mut proxy);
@@ -90,8 +89,7 @@ fn each_broken_promise_is_seen() {
         (contact.proxy.u, proxy.position.u) = (f64::NAN, f64::NAN);
     });
     assert_seen("two places", |_, contact, _| contact.proxy.elevation += 1.0);
-    assert_seen("distance is not finite", |_, contact, _| contact.distance = f64::NAN);
-    assert_seen("a normal of length", |_, contact, _| contact.normal = [0.0; 3]);
+    assert_seen("distance is not finite", |_, contact, _| contact.displacement[1] = f64::NAN);
     assert_seen("steps of 4096", |_, contact, _| contact.counters.faces += BUDGET);
     assert_seen("collision tests in", |_, contact, _| contact.counters.collision_tests += 999);
     assert_seen("under the surface", |_, contact, proxy| {
@@ -134,6 +132,6 @@ fn each_broken_promise_is_seen() {
 
 #[test]
 fn models_that_do_not_repeat_themselves_are_seen() {
-    let verdict = verdict(|_, _, _| (), |_, contact, _| contact.distance *= 2.0);
+    let verdict = verdict(|_, _, _| (), |_, contact, _| contact.displacement[2] += 1.0);
     assert!(verdict.contains("a twin came to"), "{verdict}");
 }

@@ -30,7 +30,7 @@ fn grown_by_switching(grid: &Grid, from: &Model, to: &Model, goals: &[GridPoint]
             after.feature != Feature::Free || before.feature == Feature::Free,
             "{from:?} to {to:?} lost contact at {goal:?}: {before:?} {after:?}"
         );
-        grown.push(after.distance - before.distance * (1.0 + MOST_GROWTH));
+        grown.push(after.distance() - before.distance() * (1.0 + MOST_GROWTH));
         trial.switch(from, BUDGET).unwrap();
     }
     grown

@@ -30,8 +30,8 @@ fn goals_that_are_not_finite_leave_the_proxy_and_its_contact() {
                 let contact = one.update(&grid, &SQUARE, &goal);
                 assert_eq!((contact.proxy, contact.feature), (before.position, touched.feature));
                 assert_eq!(one.proxy(), before, "{model:?}");
-                assert_eq!(contact.distance, 0.0, "{model:?}");
-                assert!(contact.normal.iter().all(|part| part.is_finite()), "{model:?}");
+                assert_eq!(contact.distance(), 0.0, "{model:?}");
+                assert!(contact.normal().iter().all(|part| part.is_finite()), "{model:?}");
                 assert_eq!(contact.counters, Default::default(), "{model:?}");
             }
         }

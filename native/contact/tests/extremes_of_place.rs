@@ -59,8 +59,8 @@ fn assert_same_there(grid: &Grid, columns: i64, speed: f64, seed: u64) {
             let b = there.update(&moved(&goal, columns)).unwrap();
             assert_eq!(moved(&a.proxy, columns), b.proxy, "{model:?} seed {seed}");
             assert_eq!(
-                (a.feature, a.normal, a.distance, a.counters),
-                (b.feature, b.normal, b.distance, b.counters),
+                (a.feature, a.normal(), a.distance(), a.counters),
+                (b.feature, b.normal(), b.distance(), b.counters),
                 "{model:?} seed {seed}"
             );
         }

@@ -42,7 +42,7 @@ fn where_ground_falls_away_the_proxy_floats_and_with_release_it_does_not() {
     assert_ne!(floating.feature, Feature::Free, "and its spring pulls");
 
     assert_eq!(fault_of_minimum(&ground, &SQUARE, &released, &to), None);
-    assert!(released.distance < 0.5 * floating.distance);
+    assert!(released.distance() < 0.5 * floating.distance());
     assert_eq!(
         fault_of_minimum(&ground, &SQUARE, &fallen, &to),
         None,

@@ -85,7 +85,7 @@ fn no_update_ends_farther_from_the_hand_than_it_begins() {
             let goal = GridPoint::new(column, 16.3, random.between(-3.0, 2.0));
             let before = distance(&model.proxy().position, &goal);
             let contact = model.update(&ground, &SQUARE, &goal);
-            assert!(contact.distance <= before * (1.0 + 1e-14), "{before} {contact:?}");
+            assert!(contact.distance() <= before * (1.0 + 1e-14), "{before} {contact:?}");
         }
     }
 }

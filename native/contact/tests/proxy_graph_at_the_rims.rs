@@ -103,7 +103,7 @@ fn a_hand_that_was_never_on_the_map_is_not_pulled_onto_it() {
     let mut model = proxy_at(-20.0, 5.0, 1.0);
     for elevation in [1.0, -1.0, 10.0] {
         let goal = GridPoint::new(-20.0, 5.0, elevation);
-        assert_eq!(model.update(&grid, &SQUARE, &goal).distance, 0.0);
+        assert_eq!(model.update(&grid, &SQUARE, &goal).distance(), 0.0);
     }
     let over = model.update(&grid, &SQUARE, &GridPoint::new(5.3, 5.2, -1.0));
     assert_eq!(over.proxy.elevation, 0.0, "coming in from above it touches");

@@ -119,7 +119,7 @@ fn the_border_of_the_map_holds_a_proxy_in_contact() {
             }
             let lifted = GridPoint { elevation: 1.0, ..outside };
             let contact = model.update(&grid, &SQUARE, &lifted);
-            assert_eq!((contact.feature, contact.distance), (Feature::Free, 0.0));
+            assert_eq!((contact.feature, contact.distance()), (Feature::Free, 0.0));
         }
     }
 }
@@ -152,7 +152,7 @@ fn a_hand_that_was_never_on_the_map_is_not_pulled_onto_it() {
         let mut model = at(&rival, -20.0, 5.0, 1.0);
         for elevation in [1.0, -1.0, 10.0] {
             let goal = GridPoint::new(-20.0, 5.0, elevation);
-            assert_eq!(model.update(&grid, &SQUARE, &goal).distance, 0.0);
+            assert_eq!(model.update(&grid, &SQUARE, &goal).distance(), 0.0);
         }
         let over = model.update(&grid, &SQUARE, &GridPoint::new(5.3, 5.2, -1.0));
         let height = over.proxy.elevation;
@@ -227,7 +227,7 @@ fn a_teleport_across_planets_ends_within_the_budget() {
         for columns in [1e6, -1e9, 1e12, f64::MAX, 0.0] {
             let contact = model.update(&planet, &SQUARE, &GridPoint::new(columns, 25.3, -5.0));
             assert!(steps(&contact) <= BUDGET, "{contact:?}");
-            assert!(contact.proxy.is_finite() && contact.distance.is_finite());
+            assert!(contact.proxy.is_finite() && contact.distance().is_finite());
         }
     }
 }
@@ -314,7 +314,7 @@ proptest! {
             for _ in 0..100 {
                 let goal = hand.next(&grid);
                 let contact = model.update(&grid, &SQUARE, &goal);
-                prop_assert!(contact.proxy.is_finite() && contact.distance.is_finite());
+                prop_assert!(contact.proxy.is_finite() && contact.distance().is_finite());
                 prop_assert!(steps(&contact) <= BUDGET);
                 if contact.feature != Feature::Free {
                     prop_assert!(depth_below_surface(&grid, &contact) < 1e-9, "{:?} {:?}", rival, contact);
@@ -354,7 +354,7 @@ proptest! {
                     size * random.between(-30.0, 2.0),
                 );
                 let contact = model.update(&grid, &metric, &goal);
-                prop_assert!(contact.proxy.is_finite() && contact.distance.is_finite());
+                prop_assert!(contact.proxy.is_finite() && contact.distance().is_finite());
                 prop_assert!(steps(&contact) <= BUDGET);
                 prop_assert!(depth_below_surface(&grid, &contact) < 1e-9, "{:?} {:?}", rival, contact);
             }

@@ -2,6 +2,7 @@
 #![allow(dead_code, reason = "each test program uses a part of this")]
 #![allow(unused_imports, reason = "each test program uses a part of this")]
 
+pub mod closest;
 pub mod models;
 pub mod random_hand;
 pub mod trial;

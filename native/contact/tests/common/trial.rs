@@ -180,12 +180,13 @@ impl<'a> Trial<'a> {
         let now = self.model.proxy();
         let is_same = now == before && contact.proxy == before.position;
         demand(is_same, || format!("moved by {goal:?} from {before:?} to {now:?}"))?;
-        let is_finite = contact.normal.iter().all(|part| part.is_finite());
-        demand(is_finite && contact.distance.is_finite(), || format!("not finite: {contact:?}"))
+        let is_finite = contact.normal().iter().all(|part| part.is_finite());
+        demand(is_finite && contact.distance().is_finite(), || format!("not finite: {contact:?}"))
     }
 
     fn look_at_numbers(&self, now: &Last) -> Result<(), Broken> {
-        let Contact { proxy, normal, distance, .. } = now.contact;
+        let Contact { proxy, .. } = now.contact;
+        let (normal, distance) = (now.contact.normal(), now.contact.distance());
         demand(proxy.is_finite(), || "the proxy is not finite".into())?;
         let fractions = [proxy.u, proxy.v];
         demand(fractions.iter().all(|part| (0.0..=1.0).contains(part)), || {
@@ -264,7 +265,7 @@ impl<'a> Trial<'a> {
         if last.goal != now.goal || last.contact.counters.steps_left > 0 {
             return Ok(());
         }
-        let moved = last.proxy != now.proxy || last.contact.distance != now.contact.distance;
+        let moved = last.proxy != now.proxy || last.contact.distance() != now.contact.distance();
         self.tally.still += 1;
         self.tally.still_moved += u32::from(moved);
         demand(!(moved && is_exact(&*self.model)), || {

@@ -173,7 +173,7 @@ impl<F: FnMut(&GridPoint) -> (GridPoint, Feature) + Send> ContactModel for Told<
         let (proxy, feature) = (self.0)(goal);
         let counters =
             Counters { vertices: 2, faces: 3, collision_tests: 1, ..Counters::default() };
-        Contact { proxy, feature, normal: [0.0, 0.0, 1.0], distance: 0.0, counters }
+        Contact { proxy, feature, displacement: [0.0; 3], counters }
     }
 }
 
