@@ -154,7 +154,8 @@ impl<'a> Observer<'a> {
         self.conduct.under_surface += u64::from(depth > ROUNDING);
         if let Some((goal_before, before)) = self.before {
             let motion = length(between(&goal_before, goal, &self.metric));
-            let [was, is] = [&before, contact].map(|contact| cells(contact.distance(), &self.metric));
+            let [was, is] =
+                [&before, contact].map(|contact| cells(contact.distance(), &self.metric));
             let grew = is - was - motion;
             self.conduct.grew += u64::from(grew > ROUNDING * (was + motion + 1.0));
             if motion > 0.0 {

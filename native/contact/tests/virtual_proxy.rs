@@ -132,7 +132,10 @@ fn in_the_air_its_centre_is_at_the_goal_and_nothing_is_touched() {
     for step in 0..100 {
         let goal = GridPoint::new(30.0 + 0.2 * f64::from(step), 30.0, top + 0.6);
         let contact = model.update(&ground, &SQUARE, &goal);
-        assert_eq!((contact.proxy, contact.distance(), contact.feature), (goal, 0.0, Feature::Free));
+        assert_eq!(
+            (contact.proxy, contact.distance(), contact.feature),
+            (goal, 0.0, Feature::Free)
+        );
     }
 }
 

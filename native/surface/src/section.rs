@@ -22,6 +22,8 @@ pub struct Section<'a, S> {
     turn: i64,
     /// Rows and columns are exchanged.
     is_exchanged: bool,
+    /// The samples all around lie side by side in memory: no border and no seam is near.
+    is_inside: bool,
     /// Bytes from the first sample to the frame's origin, and on to the next column and row.
     origin: i64,
     column_stride: i64,
@@ -66,6 +68,8 @@ pub struct EdgePlace {
 struct Passed<State> {
     state: State,
     joints: usize,
+    /// Columns from the start to the last joint passed.
+    at: f64,
     goes_on: bool,
 }
 
@@ -105,6 +109,7 @@ impl<'a, S: Sample> Section<'a, S> {
             row: from.row,
             turn,
             is_exchanged,
+            is_inside: is_inside(field, from, to),
             origin: from.row * southward + field.period_column(from.column) * eastward,
             column_stride,
             row_stride,
@@ -153,7 +158,7 @@ impl<'a, S: Sample> Section<'a, S> {
             }
         };
         let (mut reached, mut seen) = (None, 0);
-        let mut passed = Passed { state, joints: 0, goes_on: true };
+        let mut passed = Passed { state, joints: 0, at: 0.0, goes_on: true };
         let mut column = first;
         while passed.goes_on && column <= last && column < most {
             let before = passed.state;
@@ -162,7 +167,7 @@ impl<'a, S: Sample> Section<'a, S> {
             } else {
                 self.through_column(column, before, &pass)
             };
-            if passed.joints > 0 {
+            if passed.at > 0.0 {
                 reached = Some((Joint { column, number: passed.joints - 1 }, passed.state));
             }
             seen += passed.joints as u32 + u32::from(!passed.goes_on);
@@ -180,40 +185,38 @@ impl<'a, S: Sample> Section<'a, S> {
         pass: impl Fn(State, f64, f64) -> Option<State>,
     ) -> Passed<State> {
         let Crossing { row, share } = self.crossing(column);
-        let offset = self.origin + column * self.column_stride + row * self.row_stride;
-        let steps = [0, self.row_stride, self.column_stride + self.row_stride];
-        let [north, south, south_east] = self.field.elevations_at(offset, steps, self.reach);
+        let [north, south, south_east] = self.heights(column, row, [(0, 0), (0, 1), (1, 1)]);
         let columns = column as f64 - self.start[0];
         let Some(state) = pass(state, columns, north + share * (south - north)) else {
-            return Passed { state, joints: 0, goes_on: false };
+            return Passed { state, joints: 0, at: 0.0, goes_on: false };
         };
         if self.leads_along_diagonals() {
             let (is_diagonal, along) = self.inner_joint(share);
             let corner = if is_diagonal { north } else { south };
             let height = corner + along * (south_east - corner);
             return match pass(state, columns + along, height) {
-                Some(state) => Passed { state, joints: 2, goes_on: true },
-                None => Passed { state, joints: 1, goes_on: false },
+                Some(state) => Passed { state, joints: 2, at: columns + along, goes_on: true },
+                None => Passed { state, joints: 1, at: columns, goes_on: false },
             };
         }
         let [diagonal, line, far_diagonal] = self.inner_joints(share);
         let height = north + diagonal * (south_east - north);
         let Some(state) = pass(state, columns + diagonal, height) else {
-            return Passed { state, joints: 1, goes_on: false };
+            return Passed { state, joints: 1, at: columns, goes_on: false };
         };
+        let at = columns + diagonal;
         if !self.leaves_northward(share) {
-            return Passed { state, joints: 2, goes_on: true };
+            return Passed { state, joints: 2, at, goes_on: true };
         }
-        let steps = [self.column_stride, -self.row_stride];
-        let [north_east, far_north] = self.field.elevations_at(offset, steps, self.reach);
+        let [north_east, far_north] = self.heights(column, row, [(1, 0), (0, -1)]);
         let height = north + line * (north_east - north);
         let Some(state) = pass(state, columns + line, height) else {
-            return Passed { state, joints: 2, goes_on: false };
+            return Passed { state, joints: 2, at, goes_on: false };
         };
         let height = far_north + far_diagonal * (north_east - far_north);
         match pass(state, columns + far_diagonal, height) {
-            Some(state) => Passed { state, joints: 4, goes_on: true },
-            None => Passed { state, joints: 3, goes_on: false },
+            Some(state) => Passed { state, joints: 4, at: columns + far_diagonal, goes_on: true },
+            None => Passed { state, joints: 3, at: columns + line, goes_on: false },
         }
     }
 
@@ -236,6 +239,35 @@ impl<'a, S: Sample> Section<'a, S> {
             }
         };
         self.in_grid(column, row, k, along.clamp(0.0, 1.0))
+    }
+
+    /// Heights of samples by columns and rows from one, all in the frame.
+    #[inline(always)]
+    fn heights<const N: usize>(&self, column: i64, row: i64, steps: [(i64, i64); N]) -> [f64; N] {
+        if !self.is_inside {
+            return self.heights_anywhere(column, row, steps);
+        }
+        let offset = self.origin + column * self.column_stride + row * self.row_stride;
+        let mut offsets = [0; N];
+        for (offset, (columns, rows)) in offsets.iter_mut().zip(steps) {
+            *offset = columns * self.column_stride + rows * self.row_stride;
+        }
+        self.field.elevations_at(offset, offsets, self.reach)
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn heights_anywhere<const N: usize>(
+        &self,
+        column: i64,
+        row: i64,
+        steps: [(i64, i64); N],
+    ) -> [f64; N] {
+        steps.map(|(columns, rows)| {
+            let (column, row) = (self.turn * (column + columns), self.turn * (row + rows));
+            let (column, row) = if self.is_exchanged { (row, column) } else { (column, row) };
+            self.field.elevation(self.column + column, self.row + row)
+        })
     }
 
     #[inline(always)]
@@ -282,6 +314,16 @@ impl<'a, S: Sample> Section<'a, S> {
             if self.is_exchanged { (row, column, 2 - k) } else { (column, row, k) };
         EdgePlace { column: self.column + column, row: self.row + row, k, along }
     }
+}
+
+/// Whether the samples around two points and between them lie side by side in memory.
+fn is_inside<S: Sample>(field: &Heightfield<S>, from: &GridPoint, to: &GridPoint) -> bool {
+    // A section looks at two rows or columns beyond its ends.
+    const MARGIN: i64 = 3;
+    let stored = field.period_column(from.column);
+    let (columns, rows) = (stored + to.column - from.column, to.row);
+    let is_within = |a: i64, b: i64, lines: i64| a.min(b) >= MARGIN && a.max(b) + MARGIN < lines;
+    is_within(stored, columns, field.columns()) && is_within(from.row, rows, field.rows())
 }
 
 /// The whole number below, as an integer and as a double; for a whole number itself either that

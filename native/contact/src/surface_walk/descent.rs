@@ -4,7 +4,7 @@ use super::Walk;
 use super::face::{Face, LatticeEdge, share};
 use crate::contact::Counters;
 use crate::proxy::Place;
-use surface::lattice::{EAST, SOUTH, along_edges, clockwise, counterclockwise, face, sector};
+use surface::lattice::{EAST, SOUTH, along_edges, counterclockwise, face, sector};
 use surface::{GridPoint, Sample, Triangle};
 
 /// How a descent ended.
@@ -133,7 +133,11 @@ impl<S: Sample> Walk<'_, '_, S> {
         }
         match best.1 {
             None => Descent::AtRest,
-            Some((k, false)) => self.slide(LatticeEdge::of_vertex(column, row, k)),
+            Some((k, false)) => match self.slide(LatticeEdge::of_vertex(column, row, k)) {
+                // From there the way may be open that was not from here.
+                Descent::AtRest => Descent::GoesOn,
+                other => other,
+            },
             Some((k, true)) => {
                 let mut shares = [0.0; 3];
                 shares[CORNER[k]] = 1.0;
@@ -196,7 +200,9 @@ impl<S: Sample> Walk<'_, '_, S> {
             self.stand_on_edge(edge, along);
             return Descent::AtRest;
         }
-        let (column, row) = if along >= 1.0 { (end_column, end_row) } else { (column, row) };
+        let (column, row, elevation) =
+            if along >= 1.0 { (end_column, end_row, start + rise) } else { (column, row, start) };
+        self.proxy.position = GridPoint { column, row, u: 0.0, v: 0.0, elevation };
         self.proxy.place = Place::Vertex { column, row };
         Descent::GoesOn
     }
@@ -248,7 +254,7 @@ fn face_ahead(faces: &[Face; 6], goal: [f64; 3]) -> usize {
         let (first, second) = along_edges(k, goal[0], goal[1]);
         first >= 0.0 && second >= 0.0 && !faces[k].goal_height.is_nan()
     };
-    [clockwise(k), counterclockwise(k)].into_iter().find(leads_over).unwrap_or(k)
+    (0..6).find(leads_over).unwrap_or(k)
 }
 
 impl Face {

@@ -20,12 +20,14 @@ mod descent;
 mod face;
 mod search;
 mod section;
+mod sub_steps;
 
 use crate::contact::{Contact, ContactModel, Counters};
 use crate::proxy::{Place, Proxy, cells_between};
 use crate::weights::Weights;
 use descent::Descent;
 use search::Search;
+use sub_steps::SubSteps;
 use surface::ray::{RayEnd, Start, cast};
 use surface::{Grid, GridPoint, Metric, Sample, on_heightfield};
 
@@ -65,32 +67,59 @@ impl SurfaceWalk {
     /// Follows a finite goal, in sub-steps where they are wanted.
     #[inline(always)]
     fn follow(&mut self, grid: &Grid, weights: Weights, goal: &GridPoint, counters: &mut Counters) {
-        let is_still = self.is_at_rest && self.followed == Some(*goal);
+        let followed = self.followed;
+        let is_still = self.is_at_rest && followed == Some(*goal);
         on_heightfield!(grid, field => {
-            let mut search = Search::new(&field, weights, goal);
-            if is_still {
-                self.stay_or_follow(&search, counters);
-            } else if let (Some(longest), Some(from)) = (self.sub_step, self.followed) {
-                for goal in sub_goals(&from, goal, longest) {
-                    search = Search::new(&field, weights, &goal);
-                    self.followed = Some(goal);
-                    self.follow_one(&search, counters);
-                    if counters.steps_left > 0 {
-                        break;
-                    }
+            let search = Search::new(&field, weights, goal);
+            self.followed = Some(*goal);
+            match (self.sub_step, followed) {
+                _ if is_still => self.stay_or_follow(&search, counters),
+                (Some(longest), Some(from)) => {
+                    self.follow_in_sub_steps(&search, &from, longest, counters)
                 }
-            } else {
-                self.follow_one(&search, counters);
-                self.followed = Some(*goal);
+                _ => self.follow_one(&search, counters),
             }
         });
         self.is_at_rest = counters.steps_left == 0;
+    }
+
+    /// Lets the goal go no further than `longest` cells at a time. In the air that changes nothing:
+    /// there the proxy goes where the goal goes.
+    #[inline(never)]
+    fn follow_in_sub_steps<S: Sample>(
+        &mut self,
+        search: &Search<S>,
+        from: &GridPoint,
+        longest: f64,
+        counters: &mut Counters,
+    ) {
+        let way = SubSteps::new(from, &search.goal, longest);
+        let mut share = 0.0;
+        while counters.steps_left == 0 {
+            if !self.proxy.place.is_on_surface() {
+                let mut walk = self.walk(search);
+                if !walk.fly_in(counters) {
+                    return;
+                }
+                share = way.share_at(&self.proxy.position).max(share);
+            }
+            let (goal, next_share) = way.after(share);
+            self.followed = Some(goal);
+            self.follow_one(&Search::new(search.field, search.weights, &goal), counters);
+            if next_share >= 1.0 {
+                return;
+            }
+            share = next_share;
+        }
     }
 
     /// For a goal that has not moved: what rounding alone would change stays as it is.
     #[cold]
     #[inline(never)]
     fn stay_or_follow<S: Sample>(&mut self, search: &Search<S>, counters: &mut Counters) {
+        if !self.proxy.place.is_on_surface() {
+            return;
+        }
         let before = self.proxy;
         let distance = search.squared_distance(&before.position);
         self.follow_one(search, counters);
@@ -102,13 +131,20 @@ impl SurfaceWalk {
 
     #[inline(always)]
     fn follow_one<S: Sample>(&mut self, search: &Search<S>, counters: &mut Counters) {
-        let step_budget = self.step_budget;
         let before = self.proxy;
-        Walk { search, proxy: &mut self.proxy, step_budget, nearest: f64::INFINITY }
-            .follow(counters);
+        self.walk(search).follow(counters);
         if !self.proxy.position.is_finite() {
             self.proxy = before;
         }
+    }
+
+    #[inline(always)]
+    fn walk<'walk, 'field, S>(
+        &'walk mut self,
+        search: &'walk Search<'field, S>,
+    ) -> Walk<'walk, 'field, S> {
+        let step_budget = self.step_budget;
+        Walk { search, proxy: &mut self.proxy, step_budget, nearest: f64::INFINITY }
     }
 }
 
@@ -143,24 +179,6 @@ impl ContactModel for SurfaceWalk {
     }
 }
 
-/// The goals on the straight way from one to another, no further apart than `longest` cells over the
-/// ground; the last is `to` itself.
-fn sub_goals(from: &GridPoint, to: &GridPoint, longest: f64) -> impl Iterator<Item = GridPoint> {
-    let [columns, rows, up] = to.relative_to(from.column, from.row, from.elevation);
-    let (east, south) = (columns - from.u, rows - from.v);
-    let (from, to) = (*from, *to);
-    // As many as fit into the budget of any update, where the way is that long.
-    let count = (east.hypot(south) / longest).ceil().clamp(1.0, f64::from(u32::MAX)) as u32;
-    (1..=count).map(move |number| {
-        if number == count {
-            return to;
-        }
-        let share = f64::from(number) / f64::from(count);
-        let (u, v) = (from.u + share * east, from.v + share * south);
-        GridPoint::from_sample(from.column, from.row, u, v, from.elevation + share * up)
-    })
-}
-
 /// One goal being followed.
 struct Walk<'walk, 'field, S> {
     search: &'walk Search<'field, S>,
@@ -174,8 +192,8 @@ impl<S: Sample> Walk<'_, '_, S> {
     #[inline(always)]
     fn follow(&mut self, counters: &mut Counters) {
         let mut has_landed = false;
-        if let Place::Space(side) = self.proxy.place {
-            if !self.fly(Start::Space(side), counters) {
+        if !self.proxy.place.is_on_surface() {
+            if !self.fly_in(counters) {
                 return;
             }
             has_landed = true;
@@ -201,6 +219,16 @@ impl<S: Sample> Walk<'_, '_, S> {
                     has_landed = true;
                 }
             }
+        }
+    }
+
+    /// Moves a proxy in space toward the goal; whether it has landed on a triangle.
+    #[inline(always)]
+    fn fly_in(&mut self, counters: &mut Counters) -> bool {
+        match self.proxy.place {
+            Place::Space(_) if self.proxy.position == self.search.goal => false,
+            Place::Space(side) => self.fly(Start::Space(side), counters),
+            _ => true,
         }
     }
 
