@@ -136,7 +136,7 @@ fn run(seed: u64, only: Option<&str>, steps: &Cell<u32>, is_shown: bool) -> Resu
 #[derive(Debug)]
 enum Action {
     Update(GridPoint),
-    /// The goal stays until everything is walked, and once more.
+    /// The goal stays until everything is walked, and on.
     Rest(GridPoint),
     Broken(GridPoint),
     Place(GridPoint),
@@ -183,10 +183,7 @@ impl Action {
     fn take(&self, trial: &mut Trial) -> Result<(), Broken> {
         match self {
             Self::Update(goal) => trial.update(goal).map(drop),
-            Self::Rest(goal) => {
-                trial.settle(goal)?;
-                trial.update(goal).map(drop)
-            }
+            Self::Rest(goal) => trial.rest(goal).map(drop),
             Self::Broken(goal) if goal.is_finite() => trial.update(goal).map(drop),
             Self::Broken(goal) => trial.endure(goal),
             Self::Place(at) => {

@@ -110,8 +110,7 @@ proptest! {
             for step in 0..40 {
                 let goal = hand.next(&grid, &SQUARE);
                 if step % 2 == 0 {
-                    trial.settle(&goal).unwrap();
-                    trial.update(&goal).unwrap();
+                    trial.rest(&goal).unwrap();
                 } else {
                     // The goal moves on before the way is gone.
                     trial.update(&goal).unwrap();
@@ -127,7 +126,7 @@ proptest! {
         let grid = ground.grid(&mut Random::new(seed));
         let mut random = Random::new(seed + 1);
         let mut hand = RandomHand::new(&grid, 0.5, 2.0, seed);
-        let mut trial = Trial::over_the_middle(&grid, SQUARE, &Model::default(), BUDGET);
+        let mut trial = Trial::over_the_middle(&grid, SQUARE, &all_models(&SQUARE)[0], BUDGET);
         for _ in 0..200 {
             let metric = trial.metric();
             match random.below(12) {

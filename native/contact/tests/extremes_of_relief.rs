@@ -17,9 +17,7 @@ fn try_all(grid: &Grid, metric: Metric, goals: &[GridPoint]) {
     for model in all_models(&metric) {
         let mut trial = Trial::over_the_middle(grid, metric, &model, BUDGET);
         for goal in goals {
-            trial.settle(goal).unwrap();
-            // And once more, with a still hand.
-            trial.update(goal).unwrap();
+            trial.rest(goal).unwrap();
         }
     }
 }

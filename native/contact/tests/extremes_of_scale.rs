@@ -80,7 +80,7 @@ fn what_only_the_exact_model_promises_is_counted_for_the_others() {
                     let goal = hand.next(&grid);
                     trial.update(&goal).unwrap();
                     if step % 10 == 0 {
-                        trial.update(&goal).unwrap();
+                        trial.rest(&goal).unwrap();
                     }
                 }
                 tally += trial.tally;

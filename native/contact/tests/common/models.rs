@@ -4,10 +4,11 @@ use contact::{ContactModel, Model};
 use surface::Metric;
 
 /// Every model, with the settings of its knobs that are tried. The sphere's radius is a quarter of
-/// the shorter side of a cell.
-pub fn all_models(metric: &Metric) -> [Model; 7] {
+/// the shorter side of a cell. With `CONTACT_MODEL` in the environment, only the models of that name.
+pub fn all_models(metric: &Metric) -> Vec<Model> {
     let radius = 0.25 * metric.column.min(metric.row);
-    [
+    let only = std::env::var("CONTACT_MODEL").ok();
+    let mut models = vec![
         Model::SurfaceWalk { sub_step: None },
         Model::SurfaceWalk { sub_step: Some(1.0) },
         Model::SurfaceWalk { sub_step: Some(0.25) },
@@ -15,7 +16,9 @@ pub fn all_models(metric: &Metric) -> [Model; 7] {
         Model::GodObject,
         Model::GodObjectRelease,
         Model::VirtualProxy { radius },
-    ]
+    ];
+    models.retain(|model| only.as_deref().is_none_or(|name| name == model.name()));
+    models
 }
 
 /// Whether it promises the exact proxy's properties: it ends at local minima, the distance never
