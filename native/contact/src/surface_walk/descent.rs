@@ -283,13 +283,15 @@ impl Face {
 
     /// Where the straight way from a point of the face (barycentric coordinates) to the foot leaves
     /// it: through which edge, and how far along it, as counted from the face across. `None` where
-    /// the foot lies in the face.
+    /// the foot lies inside the face; on an edge, the face across has a say too.
     #[inline(always)]
     fn exit(&self, shares: &[f64; 3]) -> Option<(usize, f64)> {
         let mut first: Option<(usize, f64)> = None;
         for edge in 0..3 {
-            if self.foot[edge] < 0.0 {
-                let time = shares[edge] * self.norm / (shares[edge] * self.norm - self.foot[edge]);
+            if !(self.foot[edge] > 0.0) {
+                let length = shares[edge] * self.norm - self.foot[edge];
+                // A way along the edge leaves at its end.
+                let time = if length > 0.0 { shares[edge] * self.norm / length } else { 1.0 };
                 if first.is_none_or(|(_, earliest)| time < earliest) {
                     first = Some((edge, time));
                 }
@@ -334,17 +336,23 @@ impl Face {
 /// Given are, for each edge, the goal's foot beyond it (negative) or within, and the start within it.
 #[inline(always)]
 fn through_first(first: f64, first_start: f64, second: f64, second_start: f64) -> Option<bool> {
-    if first >= 0.0 && second >= 0.0 {
+    if first > 0.0 && second > 0.0 {
         return None;
     }
-    Some(second >= 0.0 || (first < 0.0 && second_start * first < first_start * second))
+    Some(second > 0.0 || (first <= 0.0 && second_start * first < first_start * second))
 }
 
 /// The share of a corner at the point where a way leaves a face: `crossed` and `crossed_start` are
 /// foot and start within the edge that is crossed, `foot` and `start` those of the corner.
 #[inline(always)]
 fn exit_share(crossed: f64, crossed_start: f64, foot: f64, start: f64, norm: f64) -> f64 {
-    share((crossed_start * foot - crossed * start) / (crossed_start * norm - crossed))
+    let length = crossed_start * norm - crossed;
+    // A way along the edge leaves at its end.
+    share(if length > 0.0 {
+        (crossed_start * foot - crossed * start) / length
+    } else {
+        foot / norm
+    })
 }
 
 impl LatticeEdge {

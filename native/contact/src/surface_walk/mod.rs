@@ -196,7 +196,7 @@ impl<S: Sample> Walk<'_, '_, S> {
             if !self.fly_in(counters) {
                 return;
             }
-            has_landed = true;
+            has_landed = self.goal_is_on_map();
         } else {
             self.follow_section(counters);
         }
@@ -216,7 +216,7 @@ impl<S: Sample> Walk<'_, '_, S> {
                     if !self.fly(Start::Surface(triangle), counters) {
                         return;
                     }
-                    has_landed = true;
+                    has_landed = self.goal_is_on_map();
                 }
             }
         }
@@ -255,6 +255,11 @@ impl<S: Sample> Walk<'_, '_, S> {
             counters.steps_left = self.cells_left();
         }
         place.is_on_surface()
+    }
+
+    /// Whether a proxy that flew to the goal would have flown to the same place on the map.
+    fn goal_is_on_map(&self) -> bool {
+        self.search.goal == self.search.target
     }
 
     /// Whether the budget has a step left; if not, what is left to walk is noted.
