@@ -18,12 +18,13 @@
 //!   the rounding of its coordinates, no more; a step that would be is not taken.
 //! * A move ends where the squared distance to the goal falls by less than 1e-12 of the squared
 //!   radius: from there a still hand gives the same proxy bit for bit.
-//! * A sphere does not come to be in the ground by moving, but by a switch of model or of scale. Then
-//!   the centre moves out along the shortest way, or straight up where that leads nowhere.
-//! * A sphere put in the ground (or so low that it reaches into it) touches nothing until it has
-//!   come out wholly. The same holds for one in a hole: over a hole only triangles that the centre
-//!   is above count, so the rim carries a sphere that does not fit, and what has fallen in comes out
-//!   only upwards. The border of the map is a wall for a centre on the map.
+//! * As for a point, the centre decides whether a sphere that is put somewhere is inside the ground;
+//!   there nothing touches until the centre has come out. Outside, a sphere that reaches into the
+//!   ground (after a switch of model or scale, or where it was put) moves out of it along the
+//!   shortest way, or straight up where that leads nowhere.
+//! * Over a hole only triangles that the centre is above count: the rim carries a sphere that does not
+//!   fit, and what has fallen in comes out only upwards. The border of the map is a wall for a centre
+//!   on the map.
 //! * All cells in the sphere's shadow, and one more on each side, are looked at in each step of at
 //!   most one cell: the cost grows with the square of the radius in cells. Even a small sphere costs
 //!   about twenty vertices of the proxy graph for each cell that it crosses. A sphere
@@ -39,6 +40,7 @@ use crate::contact::{Contact, ContactModel, Counters, Feature};
 use crate::planes::Scale;
 use crate::proxy::{Place, Proxy};
 use crate::way::{cells_between, steps, target};
+use crate::weights::Weights;
 use polyhedron::closest;
 use search::{Search, Step};
 use surface::ray::{RayEnd, Side, Start, cast};
@@ -127,10 +129,19 @@ impl VirtualProxy {
 
     /// Finds out whether a sphere that was put somewhere is in the ground.
     fn arrive<S: Sample>(&mut self, search: &Search<S>, place: Place, counters: &mut Counters) {
-        let was_outside = !matches!(place, Place::Space(Side::Unknown | Side::Below));
         self.state = State::Inside;
         let Some(survey) = self.survey(search, counters) else { return };
-        if was_outside || survey.is_clear(&search.sphere_at(&self.centre)) {
+        if !matches!(place, Place::Space(_)) {
+            // On the surface, also where rounding says that it is under it.
+            self.state = State::Outside { is_over_ground: survey.height.is_some() };
+        } else if place != Place::Space(Side::Below) {
+            self.come_out(search, &survey);
+        }
+    }
+
+    /// A sphere whose centre is not in the ground is outside.
+    fn come_out<S: Sample>(&mut self, search: &Search<S>, survey: &Survey) {
+        if !(survey.is_behind || survey.is_underground(&search.sphere_at(&self.centre))) {
             self.state = State::Outside { is_over_ground: survey.height.is_some() };
         }
     }
@@ -215,15 +226,13 @@ impl VirtualProxy {
         };
     }
 
-    /// Follows the goal where nothing holds the sphere, until it has wholly come out.
+    /// Follows the goal where nothing holds the sphere, until it has come out.
     fn follow_inside<S: Sample>(&mut self, search: &Search<S>, counters: &mut Counters) {
         self.centre = search.goal;
         self.feature = Feature::Free;
         self.state = State::Inside;
-        if let Some(survey) = self.survey(search, counters)
-            && survey.is_clear(&search.sphere_at(&self.centre))
-        {
-            self.state = State::Outside { is_over_ground: survey.height.is_some() };
+        if let Some(survey) = self.survey(search, counters) {
+            self.come_out(search, &survey);
         }
     }
 
@@ -294,10 +303,10 @@ impl ContactModel for VirtualProxy {
         let mut counters = Counters::default();
         if goal.is_finite() && metric.is_valid() {
             let radius = self.radius_in_cells(metric);
-            let scale = Scale::new(metric);
+            let (scale, weights) = (Scale::new(metric), Weights::new(metric));
             on_heightfield!(grid, field => {
                 let target = target(&field, &self.centre, goal);
-                let search = Search { field: &field, scale, radius, goal: *goal, target };
+                let search = Search { field: &field, scale, weights, radius, goal: *goal, target };
                 self.minimise(&search, &mut counters)
             });
         }

@@ -2,7 +2,9 @@
 
 use super::polyhedron::closest;
 use super::surroundings::{Between, MOST_WALLS, Sphere, Surroundings, Survey};
+use crate::distance::Distance;
 use crate::planes::{Plane, Scale, dot, length, plus, unit};
+use crate::weights::Weights;
 use surface::{GridPoint, Heightfield, Sample};
 
 /// Share of the radius by which rounding may let the sphere into the ground.
@@ -19,6 +21,7 @@ const FARTHEST_PULL: f64 = 1e7;
 pub(super) struct Search<'a, S> {
     pub(super) field: &'a Heightfield<'a, S>,
     pub(super) scale: Scale,
+    pub(super) weights: Weights,
     /// Of the sphere, cell widths.
     pub(super) radius: f64,
     /// Where the hand is.
@@ -75,12 +78,17 @@ impl<S: Sample> Search<'_, S> {
         if !is_held && limited == step {
             return Some(Step::ToGoal);
         }
+        let to = self.moved(centre, limited);
         let gain = dot(limited, plus(plus(pull, 1.0, pull), -1.0, limited));
-        let least = LEAST_GAIN * self.radius * self.radius
-            + 16.0 * f64::EPSILON * length(limited) * (length(pull) + length(limited));
         // False for NaN too.
-        let comes_nearer = gain > least;
-        comes_nearer.then(|| Step::To(self.moved(centre, limited)))
+        let comes_nearer = gain > LEAST_GAIN * self.radius * self.radius
+            // As far as the coordinates tell: at a sharp corner rounding may promise more.
+            && self.distance(&to).is_less_than(&self.distance(centre));
+        comes_nearer.then_some(Step::To(to))
+    }
+
+    fn distance(&self, centre: &GridPoint) -> Distance {
+        Distance::new(centre, &self.target, &self.weights)
     }
 
     /// A step, as far as was looked: a column and a row.
