@@ -53,10 +53,10 @@ impl Model {
             Self::SurfaceWalk { .. } | Self::ProxyGraph => 4096,
             // A step is a cell of a ray, mostly in the air.
             Self::GodObject => 8192,
-            // A step in three is a triangle's projection.
-            Self::GodObjectRelease => 4096,
+            // A step in three is a triangle's projection, the others are cells of short rays.
+            Self::GodObjectRelease => 2048,
             // A step is two triangles, held against a sphere.
-            Self::VirtualProxy { .. } => 1536,
+            Self::VirtualProxy { .. } => 1024,
         }
     }
 

@@ -243,14 +243,19 @@ fn zooming_in_contact_it_comes_out_of_the_ground_and_stays_in_contact() {
 }
 
 #[test]
-fn put_down_reaching_into_the_ground_it_touches_nothing_until_it_is_wholly_out() {
+fn put_down_reaching_into_the_ground_it_moves_out_and_put_down_inside_it_touches_nothing() {
     let ground = grid(21, 21, false, |_, _| 0.0);
+    let over = |elevation| GridPoint::new(10.0, 10.0, elevation);
     let mut model = VirtualProxy::new(1.0, BUDGET);
-    model.place(GridPoint::new(10.0, 10.0, 0.4));
-    let mut feature =
-        |elevation| model.update(&ground, &SQUARE, &GridPoint::new(10.0, 10.0, elevation)).feature;
-    assert_eq!([feature(0.4), feature(0.1), feature(-0.2), feature(0.9)], [Feature::Free; 4]);
-    assert_eq!([feature(1.1), feature(0.9)], [Feature::Free, Feature::Face]);
+    model.place(over(0.4));
+    let contact = model.update(&ground, &SQUARE, &over(0.4));
+    assert_eq!(contact.feature, Feature::Face);
+    assert!((contact.proxy.elevation - 1.0).abs() < 1e-9, "{contact:?}");
+
+    model.place(over(-0.4));
+    let mut feature = |elevation| model.update(&ground, &SQUARE, &over(elevation)).feature;
+    assert_eq!([feature(-0.4), feature(-2.0), feature(0.1)], [Feature::Free; 3]);
+    assert_eq!(feature(-0.2), Feature::Face, "its centre had come out");
 }
 
 #[test]

@@ -14,38 +14,38 @@
 //! Where the paper leaves something open:
 //!
 //! * Distances are relative to the centre, in cell widths; nothing depends on where on the planet
-//!   it is. The centre may be nearer to the surface than the radius by [`TOLERANCE`] of it and the
-//!   rounding of its coordinates, no more; a step that would be is not taken.
-//! * A move ends where the squared distance to the goal falls by less than [`LEAST_GAIN`] of the
-//!   squared radius: from there a still hand gives the same proxy bit for bit.
-//! * A sphere does not come to be in the ground by moving, but by a switch of model or of scale. Then
-//!   the centre moves out along the shortest way, or straight up where that leads nowhere.
-//! * A sphere put in the ground (or so low that it reaches into it) touches nothing until it has
-//!   come out wholly. The same holds for one in a hole: over a hole only triangles that the centre
-//!   is above count, so the rim carries a sphere that does not fit, and what has fallen in comes out
-//!   only upwards. The border of the map is a wall for a centre on the map.
-//! * All cells in the sphere's shadow, and one more on each side, are looked at in each step:
-//!   the cost grows with the square of the radius in cells. A sphere whose shadow has more cells than a
-//!   quarter of the step budget is as large as fits ([`VirtualProxy::radius`] tells how large).
+//!   it is. The centre may be nearer to the surface than the radius by a ten-millionth of it and
+//!   the rounding of its coordinates, no more; a step that would be is not taken.
+//! * A move ends where the squared distance to the goal falls by less than 1e-12 of the squared
+//!   radius: from there a still hand gives the same proxy bit for bit.
+//! * As for a point, the centre decides whether a sphere that is put somewhere is inside the ground;
+//!   there nothing touches until the centre has come out. Outside, a sphere that reaches into the
+//!   ground (after a switch of model or scale, or where it was put) moves out of it along the
+//!   shortest way, or straight up where that leads nowhere.
+//! * Over a hole only triangles that the centre is above count: the rim carries a sphere that does not
+//!   fit, and what has fallen in comes out only upwards. The border of the map is a wall for a centre
+//!   on the map.
+//! * All cells in the sphere's shadow, and one more on each side, are looked at in each step of at
+//!   most one cell: the cost grows with the square of the radius in cells. Even a small sphere costs
+//!   about twenty vertices of the proxy graph for each cell that it crosses. A sphere
+//!   whose shadow has more cells than a quarter of the step budget is as large as fits
+//!   ([`VirtualProxy::radius`] tells how large).
 
 mod nearest;
 mod polyhedron;
+mod search;
 mod surroundings;
 
 use crate::contact::{Contact, ContactModel, Counters, Feature};
-use crate::planes::{Plane, Scale, dot, length, plus, unit};
+use crate::planes::Scale;
 use crate::proxy::{Place, Proxy};
 use crate::way::{cells_between, steps, target};
+use crate::weights::Weights;
 use polyhedron::closest;
+use search::{Search, Step};
 use surface::ray::{RayEnd, Side, Start, cast};
-use surface::{Grid, GridPoint, Heightfield, Metric, Sample, on_heightfield};
-use surroundings::{Between, MOST_WALLS, Shadow, Sphere, Surroundings, Survey};
-
-/// Share of the radius by which rounding may let the sphere into the ground.
-const TOLERANCE: f64 = 1e-7;
-
-/// Share of the squared radius by which the squared distance to the goal has to fall in a step.
-const LEAST_GAIN: f64 = 1e-12;
+use surface::{Grid, GridPoint, Metric, Sample, on_heightfield};
+use surroundings::{Between, Shadow, Surroundings, Survey};
 
 /// Cell widths; a smaller sphere is a point to the rounding of the coordinates.
 const SMALLEST_RADIUS: f64 = 1e-9;
@@ -64,10 +64,6 @@ const CELLS_OF_A_STEP: u32 = 4;
 
 /// Looks around on the way out of the ground, before the sphere is lifted straight up.
 const SURVEYS_ON_THE_WAY_OUT: u32 = 16;
-
-/// Cell widths, of the terrain's relief around or of a cell: a goal farther away pulls as one there
-/// does. Beyond, the rounding of its coordinates would move the sphere.
-const FARTHEST_PULL: f64 = 1e7;
 
 /// The sphere.
 pub struct VirtualProxy {
@@ -89,18 +85,6 @@ enum State {
     Inside,
     /// Where another model, or a person, put it: to be seen in the next update.
     Arriving(Place),
-}
-
-/// What stays the same during one update.
-struct Search<'a, S> {
-    field: &'a Heightfield<'a, S>,
-    scale: Scale,
-    /// Of the sphere, cell widths.
-    radius: f64,
-    /// Where the hand is.
-    goal: GridPoint,
-    /// What the centre moves toward: as near to the hand as the map goes.
-    target: GridPoint,
 }
 
 impl VirtualProxy {
@@ -145,10 +129,19 @@ impl VirtualProxy {
 
     /// Finds out whether a sphere that was put somewhere is in the ground.
     fn arrive<S: Sample>(&mut self, search: &Search<S>, place: Place, counters: &mut Counters) {
-        let was_outside = !matches!(place, Place::Space(Side::Unknown | Side::Below));
         self.state = State::Inside;
         let Some(survey) = self.survey(search, counters) else { return };
-        if was_outside || survey.is_clear(&search.sphere_at(&self.centre)) {
+        if !matches!(place, Place::Space(_)) {
+            // On the surface, also where rounding says that it is under it.
+            self.state = State::Outside { is_over_ground: survey.height.is_some() };
+        } else if place != Place::Space(Side::Below) {
+            self.come_out(search, &survey);
+        }
+    }
+
+    /// A sphere whose centre is not in the ground is outside.
+    fn come_out<S: Sample>(&mut self, search: &Search<S>, survey: &Survey) {
+        if !(survey.is_behind || survey.is_underground(&search.sphere_at(&self.centre))) {
             self.state = State::Outside { is_over_ground: survey.height.is_some() };
         }
     }
@@ -233,15 +226,13 @@ impl VirtualProxy {
         };
     }
 
-    /// Follows the goal where nothing holds the sphere, until it has wholly come out.
+    /// Follows the goal where nothing holds the sphere, until it has come out.
     fn follow_inside<S: Sample>(&mut self, search: &Search<S>, counters: &mut Counters) {
         self.centre = search.goal;
         self.feature = Feature::Free;
         self.state = State::Inside;
-        if let Some(survey) = self.survey(search, counters)
-            && survey.is_clear(&search.sphere_at(&self.centre))
-        {
-            self.state = State::Outside { is_over_ground: survey.height.is_some() };
+        if let Some(survey) = self.survey(search, counters) {
+            self.come_out(search, &survey);
         }
     }
 
@@ -312,10 +303,10 @@ impl ContactModel for VirtualProxy {
         let mut counters = Counters::default();
         if goal.is_finite() && metric.is_valid() {
             let radius = self.radius_in_cells(metric);
-            let scale = Scale::new(metric);
+            let (scale, weights) = (Scale::new(metric), Weights::new(metric));
             on_heightfield!(grid, field => {
                 let target = target(&field, &self.centre, goal);
-                let search = Search { field: &field, scale, radius, goal: *goal, target };
+                let search = Search { field: &field, scale, weights, radius, goal: *goal, target };
                 self.minimise(&search, &mut counters)
             });
         }
@@ -326,89 +317,4 @@ impl ContactModel for VirtualProxy {
 /// Cells that one look around may take.
 fn most_cells(step_budget: u32) -> u32 {
     (step_budget / SURVEYS - CELLS_OF_A_STEP).min(MOST_CELLS)
-}
-
-/// What a look around leads to.
-enum Step {
-    /// To the goal, and nothing is touched.
-    ToGoal,
-    /// To this place.
-    To(GridPoint),
-}
-
-impl<S: Sample> Search<'_, S> {
-    /// The sphere around a centre.
-    fn sphere_at(&self, centre: &GridPoint) -> Sphere {
-        // Of the coordinates of what it can touch.
-        let size = 2.0 + self.scale.row + self.radius + centre.elevation.abs() * self.scale.up;
-        let rounding = 16.0 * f64::EPSILON * size;
-        Sphere { radius: self.radius, tolerance: TOLERANCE * self.radius + rounding }
-    }
-
-    /// The next step of a sphere that has looked around; `None` where it comes no nearer.
-    fn step(
-        &self,
-        surroundings: &mut Surroundings,
-        centre: &GridPoint,
-        survey: &Survey,
-    ) -> Option<Step> {
-        let walls = self.walls(centre);
-        let way = self.scale.between(centre, &self.target);
-        let distance = length(way);
-        if !distance.is_finite() {
-            return None;
-        }
-        let share = FARTHEST_PULL * survey.extent / distance;
-        let pull = if share < 1.0 { way.map(|part| share * part) } else { way };
-        let mut step =
-            |between| self.step_between(surroundings.planes(between, &walls), centre, pull);
-        match step(Between::Glide).or_else(|| step(Between::Shortest))? {
-            // The goal was pulled nearer: it is not there yet.
-            Step::ToGoal if share < 1.0 => Some(Step::To(self.moved(centre, self.limited(pull)))),
-            step => Some(step),
-        }
-    }
-
-    /// The step to the place closest to the goal, which is `pull` away, on the free side of all planes.
-    fn step_between(&self, planes: &[Plane], centre: &GridPoint, pull: [f64; 3]) -> Option<Step> {
-        let (step, is_held) = closest(pull, planes)?;
-        let limited = self.limited(step);
-        if !is_held && limited == step {
-            return Some(Step::ToGoal);
-        }
-        let gain = dot(limited, plus(plus(pull, 1.0, pull), -1.0, limited));
-        let least = LEAST_GAIN * self.radius * self.radius
-            + 16.0 * f64::EPSILON * length(limited) * (length(pull) + length(limited));
-        // False for NaN too.
-        let comes_nearer = gain > least;
-        comes_nearer.then(|| Step::To(self.moved(centre, limited)))
-    }
-
-    /// A step, as far as was looked: a column and a row.
-    fn limited(&self, step: [f64; 3]) -> [f64; 3] {
-        let cells = step[0].abs().max(step[1].abs() / self.scale.row);
-        if cells > 1.0 { step.map(|part| part / cells) } else { step }
-    }
-
-    /// The place that a step leads to; on the map, where it began there.
-    fn moved(&self, from: &GridPoint, step: [f64; 3]) -> GridPoint {
-        let [columns, rows, up] = self.scale.on_grid(step);
-        let (u, v, elevation) = (from.u + columns, from.v + rows, from.elevation + up);
-        let point = GridPoint::from_sample(from.column, from.row, u, v, elevation);
-        if self.field.is_on_map(from) { self.field.nearest_on_map(&point) } else { point }
-    }
-
-    /// The borders of the map within reach, for a centre on the map.
-    fn walls(&self, centre: &GridPoint) -> [Option<Plane>; MOST_WALLS] {
-        let is_on_map = self.field.is_on_map(centre);
-        [(2.0, 0.0), (-2.0, 0.0), (0.0, 2.0), (0.0, -2.0)].map(|(columns, rows)| {
-            let (u, v) = (centre.u + columns, centre.v + rows);
-            let out = GridPoint::from_sample(centre.column, centre.row, u, v, centre.elevation);
-            let border = self.field.nearest_on_map(&out);
-            (is_on_map && border != out).then(|| {
-                let normal = unit(self.scale.vector([-columns, -rows, 0.0]));
-                Plane { normal, offset: dot(normal, self.scale.between(centre, &border)) }
-            })
-        })
-    }
 }

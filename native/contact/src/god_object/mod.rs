@@ -21,15 +21,17 @@
 //! * Of a floating proxy [`Feature`] tells how many planes hold it: a face one, an edge two, a vertex
 //!   three. It is not on what the plane belongs to any more, but it is not free.
 
+mod constraints;
+
 use crate::contact::{Contact, ContactModel, Counters, Feature};
 use crate::distance::Distance;
-use crate::planes::{Plane, Scale, dot, project};
+use crate::planes::{Scale, project};
 use crate::proxy::{Place, Proxy};
-use crate::way::{ahead, cells_between, face_of_first, steps, target};
+use crate::way::{ahead, cells_between, steps, target};
 use crate::weights::Weights;
-use surface::lattice::{along_edges, gradient};
+use constraints::{Constraints, Wall};
 use surface::ray::{RayEnd, Side, Start, cast};
-use surface::{Grid, GridPoint, Heightfield, Metric, Sample, Triangle, on_heightfield};
+use surface::{Grid, GridPoint, Heightfield, Metric, Sample, on_heightfield};
 
 /// The god-object without constraint release.
 pub struct GodObject {
@@ -48,17 +50,6 @@ struct Search<'a, S> {
     goal: GridPoint,
     /// What the proxy moves toward: as near to the hand as the map goes.
     target: GridPoint,
-}
-
-/// The constraints met so far in one update, in order.
-#[derive(Clone, Copy)]
-struct Constraints {
-    /// What the planes are relative to: the first triangle's first corner.
-    pivot: GridPoint,
-    planes: [Plane; 3],
-    /// The triangles that the planes belong to; none of a wall.
-    triangles: [Option<Triangle>; 3],
-    count: usize,
 }
 
 /// How a move ended.
@@ -111,7 +102,8 @@ impl GodObject {
         counters.collision_tests += 1;
         let start = match (ahead(search.field, &self.proxy, &end), self.proxy.place) {
             (Some((triangle, true)), _) if !constraints.hold(&triangle) => {
-                return constraints.add_triangle(search, triangle);
+                constraints.add_triangle(search.field, &search.scale, triangle);
+                return Move::Stopped;
             }
             (Some((triangle, _)), _) => Start::Surface(triangle),
             (None, Place::Space(side)) => Start::Space(side),
@@ -124,12 +116,13 @@ impl GodObject {
             RayEnd::Hit(triangle, position) => {
                 let came_nearer = search.is_nearer(&position, &self.proxy.position);
                 self.proxy = Proxy { position, place: Place::Face(triangle) };
-                match (constraints.hold(&triangle), came_nearer) {
-                    (false, _) => constraints.add_triangle(search, triangle),
-                    // Met again by rounding: the next ray starts from it, if that leads anywhere.
-                    (true, true) => Move::Stopped,
-                    (true, false) => Move::Ended,
+                if !constraints.hold(&triangle) {
+                    constraints.add_triangle(search.field, &search.scale, triangle);
+                } else if !came_nearer {
+                    return Move::Ended;
                 }
+                // One met again by rounding is where the next ray starts.
+                Move::Stopped
             }
             RayEnd::OutOfSteps(position, side) => {
                 self.proxy = Proxy { position, place: Place::Space(side) };
@@ -143,7 +136,9 @@ impl GodObject {
             RayEnd::Clear(Side::Above) => {
                 let place = constraints.place_at(search.field, &end);
                 self.proxy = Proxy { position: end, place };
-                wall.map_or(Move::Ended, |wall| constraints.add_wall(search, &wall))
+                let Some(wall) = wall else { return Move::Ended };
+                constraints.add_wall(&search.scale, &wall);
+                Move::Stopped
             }
             RayEnd::Clear(_) => {
                 // Out over a hole, where no plane holds.
@@ -186,14 +181,6 @@ impl ContactModel for GodObject {
         }
         Contact::new(self.proxy.position, self.feature, goal, metric, counters)
     }
-}
-
-/// Where a way leaves the map.
-#[derive(Clone, Copy)]
-struct Wall {
-    point: GridPoint,
-    /// Of the wall, into the map, in the workspace.
-    normal: [f64; 3],
 }
 
 impl<S: Sample> Search<'_, S> {
@@ -248,120 +235,5 @@ impl<S: Sample> Search<'_, S> {
             [0.0, way[1].signum(), 0.0]
         };
         Some(Wall { point, normal })
-    }
-}
-
-impl Constraints {
-    fn none() -> Self {
-        let plane = Plane { normal: [0.0, 0.0, 1.0], offset: 0.0 };
-        let pivot = GridPoint::new(0.0, 0.0, 0.0);
-        Self { pivot, planes: [plane; 3], triangles: [None; 3], count: 0 }
-    }
-
-    fn planes(&self) -> &[Plane] {
-        &self.planes[..self.count]
-    }
-
-    fn triangles(&self) -> impl DoubleEndedIterator<Item = &Triangle> {
-        self.triangles[..self.count].iter().flatten()
-    }
-
-    fn hold(&self, triangle: &Triangle) -> bool {
-        self.triangles().any(|held| held == triangle)
-    }
-
-    fn hold_a_wall(&self) -> bool {
-        self.triangles[..self.count].iter().any(Option::is_none)
-    }
-
-    fn feature(&self) -> Feature {
-        match self.count {
-            0 => Feature::Free,
-            1 => Feature::Face,
-            2 => Feature::Edge,
-            _ => Feature::Vertex,
-        }
-    }
-
-    fn add_triangle<S: Sample>(&mut self, search: &Search<S>, triangle: Triangle) -> Move {
-        let [first, second, third] = search.field.corner_elevations(&triangle);
-        let slope = gradient(face_of_first(triangle.half), second - first, third - first);
-        let (column, row) = (triangle.column, triangle.row);
-        let corner = GridPoint { column, row, u: 0.0, v: 0.0, elevation: first };
-        if self.count == 0 {
-            self.pivot = corner;
-        }
-        self.add(search, search.scale.normal(slope), &corner, Some(triangle))
-    }
-
-    fn add_wall<S: Sample>(&mut self, search: &Search<S>, wall: &Wall) -> Move {
-        self.add(search, wall.normal, &wall.point, None)
-    }
-
-    fn add<S: Sample>(
-        &mut self,
-        search: &Search<S>,
-        normal: [f64; 3],
-        point: &GridPoint,
-        triangle: Option<Triangle>,
-    ) -> Move {
-        let offset = dot(normal, search.scale.between(&self.pivot, point));
-        self.planes[self.count] = Plane { normal, offset };
-        self.triangles[self.count] = triangle;
-        self.count += 1;
-        self.keep_regular();
-        Move::Stopped
-    }
-
-    /// Lets go of the older planes that are singular with the newest, of one if that will do.
-    fn keep_regular(&mut self) {
-        if self.is_regular() {
-            return;
-        }
-        let all = *self;
-        for older in 0..all.count - 1 {
-            *self = all.without(older);
-            if self.is_regular() {
-                return;
-            }
-        }
-        *self = all;
-        while self.count > 1 {
-            *self = self.without(0);
-        }
-    }
-
-    fn is_regular(&self) -> bool {
-        project([0.0; 3], self.planes()).is_some()
-    }
-
-    fn without(&self, index: usize) -> Self {
-        let mut fewer = *self;
-        fewer.planes.copy_within(index + 1.., index);
-        fewer.triangles.copy_within(index + 1.., index);
-        fewer.count -= 1;
-        fewer
-    }
-
-    /// The height of the planes at a place on all of them; of what rounding makes of it, the highest,
-    /// so that no way there leads under one.
-    fn elevation_at<S: Sample>(&self, field: &Heightfield<S>, point: &GridPoint) -> f64 {
-        let heights = self.triangles().map(|triangle| {
-            let [u, v, _] = point.relative_to(triangle.column, triangle.row, 0.0);
-            field.plane_elevation(triangle, u, v)
-        });
-        heights.fold(f64::NEG_INFINITY, f64::max)
-    }
-
-    /// What a proxy at `point` lies on: the newest of the triangles that reach so far, or nothing, and
-    /// it floats.
-    fn place_at<S: Sample>(&self, field: &Heightfield<S>, point: &GridPoint) -> Place {
-        let is_under = |triangle: &&Triangle| {
-            let [u, v, _] = point.relative_to(triangle.column, triangle.row, 0.0);
-            let (second, third) = along_edges(face_of_first(triangle.half), u, v);
-            second >= 0.0 && third >= 0.0 && second + third <= 1.0 && field.is_present(triangle)
-        };
-        let under = self.triangles().rev().find(is_under);
-        under.map_or(Place::Space(Side::Above), |triangle| Place::Face(*triangle))
     }
 }

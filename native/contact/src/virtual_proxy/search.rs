@@ -1,0 +1,121 @@
+//! Where the sphere goes next, from what lies around it.
+
+use super::polyhedron::closest;
+use super::surroundings::{Between, MOST_WALLS, Sphere, Surroundings, Survey};
+use crate::distance::Distance;
+use crate::planes::{Plane, Scale, dot, length, plus, unit};
+use crate::weights::Weights;
+use surface::{GridPoint, Heightfield, Sample};
+
+/// Share of the radius by which rounding may let the sphere into the ground.
+const TOLERANCE: f64 = 1e-7;
+
+/// Share of the squared radius by which the squared distance to the goal has to fall in a step.
+const LEAST_GAIN: f64 = 1e-12;
+
+/// Cell widths, of the terrain's relief around or of a cell: a goal farther away pulls as one there
+/// does. Beyond, the rounding of its coordinates would move the sphere.
+const FARTHEST_PULL: f64 = 1e7;
+
+/// What stays the same during one update.
+pub(super) struct Search<'a, S> {
+    pub(super) field: &'a Heightfield<'a, S>,
+    pub(super) scale: Scale,
+    pub(super) weights: Weights,
+    /// Of the sphere, cell widths.
+    pub(super) radius: f64,
+    /// Where the hand is.
+    pub(super) goal: GridPoint,
+    /// What the centre moves toward: as near to the hand as the map goes.
+    pub(super) target: GridPoint,
+}
+
+/// What a look around leads to.
+pub(super) enum Step {
+    /// To the goal, and nothing is touched.
+    ToGoal,
+    /// To this place.
+    To(GridPoint),
+}
+
+impl<S: Sample> Search<'_, S> {
+    /// The sphere around a centre.
+    pub(super) fn sphere_at(&self, centre: &GridPoint) -> Sphere {
+        // Of the coordinates of what it can touch.
+        let size = 2.0 + self.scale.row + self.radius + centre.elevation.abs() * self.scale.up;
+        let rounding = 16.0 * f64::EPSILON * size;
+        Sphere { radius: self.radius, tolerance: TOLERANCE * self.radius + rounding }
+    }
+
+    /// The next step of a sphere that has looked around; `None` where it comes no nearer.
+    pub(super) fn step(
+        &self,
+        surroundings: &mut Surroundings,
+        centre: &GridPoint,
+        survey: &Survey,
+    ) -> Option<Step> {
+        let walls = self.walls(centre);
+        let way = self.scale.between(centre, &self.target);
+        let distance = length(way);
+        if !distance.is_finite() {
+            return None;
+        }
+        let share = FARTHEST_PULL * survey.extent / distance;
+        let pull = if share < 1.0 { way.map(|part| share * part) } else { way };
+        let mut step =
+            |between| self.step_between(surroundings.planes(between, &walls), centre, pull);
+        match step(Between::Glide).or_else(|| step(Between::Shortest))? {
+            // The goal was pulled nearer: it is not there yet.
+            Step::ToGoal if share < 1.0 => Some(Step::To(self.moved(centre, self.limited(pull)))),
+            step => Some(step),
+        }
+    }
+
+    /// The step to the place closest to the goal, which is `pull` away, on the free side of all planes.
+    fn step_between(&self, planes: &[Plane], centre: &GridPoint, pull: [f64; 3]) -> Option<Step> {
+        let (step, is_held) = closest(pull, planes)?;
+        let limited = self.limited(step);
+        if !is_held && limited == step {
+            return Some(Step::ToGoal);
+        }
+        let to = self.moved(centre, limited);
+        let gain = dot(limited, plus(plus(pull, 1.0, pull), -1.0, limited));
+        // False for NaN too.
+        let comes_nearer = gain > LEAST_GAIN * self.radius * self.radius
+            // As far as the coordinates tell: at a sharp corner rounding may promise more.
+            && self.distance(&to).is_less_than(&self.distance(centre));
+        comes_nearer.then_some(Step::To(to))
+    }
+
+    fn distance(&self, centre: &GridPoint) -> Distance {
+        Distance::new(centre, &self.target, &self.weights)
+    }
+
+    /// A step, as far as was looked: a column and a row.
+    pub(super) fn limited(&self, step: [f64; 3]) -> [f64; 3] {
+        let cells = step[0].abs().max(step[1].abs() / self.scale.row);
+        if cells > 1.0 { step.map(|part| part / cells) } else { step }
+    }
+
+    /// The place that a step leads to; on the map, where it began there.
+    pub(super) fn moved(&self, from: &GridPoint, step: [f64; 3]) -> GridPoint {
+        let [columns, rows, up] = self.scale.on_grid(step);
+        let (u, v, elevation) = (from.u + columns, from.v + rows, from.elevation + up);
+        let point = GridPoint::from_sample(from.column, from.row, u, v, elevation);
+        if self.field.is_on_map(from) { self.field.nearest_on_map(&point) } else { point }
+    }
+
+    /// The borders of the map within reach, for a centre on the map.
+    pub(super) fn walls(&self, centre: &GridPoint) -> [Option<Plane>; MOST_WALLS] {
+        let is_on_map = self.field.is_on_map(centre);
+        [(2.0, 0.0), (-2.0, 0.0), (0.0, 2.0), (0.0, -2.0)].map(|(columns, rows)| {
+            let (u, v) = (centre.u + columns, centre.v + rows);
+            let out = GridPoint::from_sample(centre.column, centre.row, u, v, centre.elevation);
+            let border = self.field.nearest_on_map(&out);
+            (is_on_map && border != out).then(|| {
+                let normal = unit(self.scale.vector([-columns, -rows, 0.0]));
+                Plane { normal, offset: dot(normal, self.scale.between(centre, &border)) }
+            })
+        })
+    }
+}
