@@ -57,7 +57,7 @@ impl<S: Sample> Walk<'_, '_, S> {
             return Descent::Open(*triangle);
         }
         match face.exit(&shares) {
-            None => self.rest_on_face(&face),
+            None => self.rest_on_face(&face, None, counters),
             Some((edge, along)) => self.cross(&face, edge, along, counters),
         }
     }
@@ -104,8 +104,8 @@ impl<S: Sample> Walk<'_, '_, S> {
     #[inline(never)]
     fn descend_from_vertex(&mut self, column: i64, row: i64, counters: &mut Counters) -> Descent {
         counters.faces += 1;
-        let elevation = self.search.field.elevation(column, row);
-        self.proxy.position = GridPoint { column, row, u: 0.0, v: 0.0, elevation };
+        self.stand_on_vertex(column, row);
+        let elevation = self.proxy.position.elevation;
         let goal = self.search.target.relative_to(column, row, elevation);
         let faces = [0, 1, 2, 3, 4, 5].map(|k| Face::new(self.search, &face(column, row, k)));
         let ahead = face_ahead(&faces, goal);
@@ -142,7 +142,7 @@ impl<S: Sample> Walk<'_, '_, S> {
                 let mut shares = [0.0; 3];
                 shares[CORNER[k]] = 1.0;
                 match faces[k].exit(&shares) {
-                    None => self.rest_on_face(&faces[k]),
+                    None => self.rest_on_face(&faces[k], None, counters),
                     Some((edge, along)) => self.cross(&faces[k], edge, along, counters),
                 }
             }
@@ -162,17 +162,19 @@ impl<S: Sample> Walk<'_, '_, S> {
         loop {
             if !(face.goal_height <= 0.0) {
                 let (edge_of_lattice, at) = face.lattice_edge(edge, along);
-                if face.goal_is_within(edge) {
-                    self.stand_on_edge(edge_of_lattice, at);
-                    return Descent::Open(face.triangle());
+                if !face.goal_is_within(edge) {
+                    return self.slide(edge_of_lattice);
                 }
-                return self.slide(edge_of_lattice);
+                self.stand_on_edge(edge_of_lattice, at);
+                // From a corner the way may lead over another face.
+                let is_corner = matches!(self.proxy.place, Place::Vertex { .. });
+                return if is_corner { Descent::GoesOn } else { Descent::Open(face.triangle()) };
             }
             if !(face.foot[edge] > 0.0) {
                 return self.slide(face.lattice_edge(edge, along).0);
             }
             let Some((next_edge, next_along)) = face.exit_from_edge(edge, along) else {
-                return self.rest_on_face(&face);
+                return self.rest_on_face(&face, Some(edge), counters);
             };
             (edge, along) = (next_edge, next_along);
             face = face.across(edge, self.search);
@@ -190,37 +192,74 @@ impl<S: Sample> Walk<'_, '_, S> {
     fn slide(&mut self, edge: LatticeEdge) -> Descent {
         let LatticeEdge { column, row, k } = edge;
         let field = self.search.field;
-        let (end_column, end_row) = (column + EAST[k], row + SOUTH[k]);
         let start = field.elevation(column, row);
-        let rise = field.elevation(end_column, end_row) - start;
+        let rise = field.elevation(column + EAST[k], row + SOUTH[k]) - start;
         let goal = self.search.target.relative_to(column, row, start);
         let vector = [EAST[k] as f64, SOUTH[k] as f64, rise];
         let along = self.search.weights.product(goal, vector) / self.search.weights.squared(vector);
-        if along > 0.0 && along < 1.0 {
-            self.stand_on_edge(edge, along);
-            return Descent::AtRest;
+        self.stand_on_edge(edge, along);
+        match self.proxy.place {
+            Place::Vertex { .. } => Descent::GoesOn,
+            _ => Descent::AtRest,
         }
-        let (column, row, elevation) =
-            if along >= 1.0 { (end_column, end_row, start + rise) } else { (column, row, start) };
-        self.proxy.position = GridPoint { column, row, u: 0.0, v: 0.0, elevation };
-        self.proxy.place = Place::Vertex { column, row };
-        Descent::GoesOn
     }
 
+    /// Rests at the goal's foot. Where rounding cannot tell it from a place on an edge, the face across
+    /// is asked, unless the walk came from there.
     #[inline(always)]
-    fn rest_on_face(&mut self, face: &Face) -> Descent {
+    fn rest_on_face(
+        &mut self,
+        face: &Face,
+        entered: Option<usize>,
+        counters: &mut Counters,
+    ) -> Descent {
         let scale = 1.0 / face.norm;
         let share_c = share(face.foot[2] * scale);
         let share_b = share(face.foot[1] * scale).min(1.0 - share_c);
         self.proxy.position = face.point(share_b, share_c);
         self.proxy.place = Place::Face(face.triangle());
-        Descent::AtRest
+        let rounding = face.rounding();
+        let is_on = |edge: &usize| face.foot[*edge] <= rounding && entered != Some(*edge);
+        match (0..3).find(is_on) {
+            None => Descent::AtRest,
+            Some(edge) => self.ask_across(face, edge, counters),
+        }
     }
 
+    #[cold]
+    #[inline(never)]
+    fn ask_across(&mut self, face: &Face, edge: usize, counters: &mut Counters) -> Descent {
+        let distance = self.search.squared_distance(&self.proxy.position);
+        if !self.comes_nearer(distance) || counters.steps() >= self.step_budget {
+            return Descent::AtRest;
+        }
+        let start = if edge == 0 { 1 } else { 0 };
+        let along = share(face.foot[start] / face.norm);
+        let (edge, along) = face.across(edge, self.search).lattice_edge(edge, along);
+        counters.faces += 1;
+        self.stand_on_edge(edge, along);
+        Descent::GoesOn
+    }
+
+    /// Puts the proxy on an edge, or on its vertex where it is that to within rounding: there, the
+    /// faces and edges all around have a say.
     pub(super) fn stand_on_edge(&mut self, edge: LatticeEdge, along: f64) {
         let LatticeEdge { column, row, k } = edge;
+        if !(along > f64::EPSILON) {
+            return self.stand_on_vertex(column, row);
+        }
+        if along >= 1.0 {
+            return self.stand_on_vertex(column + EAST[k], row + SOUTH[k]);
+        }
         self.proxy.position = self.point_on_edge(edge, along);
         self.proxy.place = Place::Edge { column, row, k };
+    }
+
+    #[cold]
+    fn stand_on_vertex(&mut self, column: i64, row: i64) {
+        let elevation = self.search.field.elevation(column, row);
+        self.proxy.position = GridPoint { column, row, u: 0.0, v: 0.0, elevation };
+        self.proxy.place = Place::Vertex { column, row };
     }
 
     #[inline(always)]

@@ -101,6 +101,13 @@ impl Face {
         }
     }
 
+    /// What rounding can make of a foot that lies on an edge.
+    #[inline(always)]
+    pub(super) fn rounding(&self) -> f64 {
+        let [x, y] = self.goal;
+        8.0 * f64::EPSILON * self.norm * (1.0 + x.abs() + y.abs())
+    }
+
     #[inline(always)]
     pub(super) fn triangle(&self) -> Triangle {
         if self.turn > 0 { face(self.column, self.row, 0) } else { face(self.column, self.row, 3) }

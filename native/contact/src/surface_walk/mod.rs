@@ -124,7 +124,7 @@ impl SurfaceWalk {
         let distance = search.squared_distance(&before.position);
         self.follow_one(search, counters);
         let gain = distance - search.squared_distance(&self.proxy.position);
-        if self.proxy.place.is_on_surface() && !(gain > search.rounding(distance)) {
+        if !(gain > search.rounding(distance)) {
             self.proxy = before;
         }
     }

@@ -227,7 +227,9 @@ impl<'a> Trial<'a> {
     /// is out of contact: contact cannot be lost.
     fn look_at_depth(&mut self, now: &Last) -> Result<(), Broken> {
         let touches = now.contact.feature != Feature::Free;
-        let hand_is_on_map = is_on_map(self.grid, &now.goal);
+        // A hand led in sub-steps may have left a border's wall on its way in from outside.
+        let was_on_map = self.last.is_none_or(|last| is_on_map(self.grid, &last.goal));
+        let hand_is_on_map = is_on_map(self.grid, &now.goal) && was_on_map;
         let depth = oracle::depth_below_surface(self.grid, &now.contact.proxy);
         let is_above = depth <= MOST_DEPTH;
         if !(touches || self.is_solid && hand_is_on_map) {
@@ -256,6 +258,10 @@ impl<'a> Trial<'a> {
     fn look_at_growth(&mut self, before: &Proxy, now: &Last) -> Result<(), Broken> {
         let Some(last) = self.last else { return Ok(()) };
         if !(is_on_map(self.grid, &last.goal) && is_on_map(self.grid, &now.goal)) {
+            return Ok(());
+        }
+        // With steps left, a proxy led in sub-steps is still on the goal's way, and not near its end.
+        if last.contact.counters.steps_left > 0 || now.contact.counters.steps_left > 0 {
             return Ok(());
         }
         let moved = self.distance(&last.goal, &now.goal);
