@@ -93,7 +93,12 @@ impl SurfaceWalk {
         longest: f64,
         counters: &mut Counters,
     ) {
-        let way = SubSteps::new(from, &search.goal, longest);
+        // A flight that the budget cut short goes on from where the proxy is. On the surface, a hand
+        // that comes in from outside is led along the map's border.
+        let begins_on_surface = self.proxy.place.is_on_surface();
+        let from =
+            if begins_on_surface { search.field.nearest_on_map(from) } else { self.proxy.position };
+        let way = SubSteps::new(&from, &search.goal, longest);
         let mut share = 0.0;
         while counters.steps_left == 0 {
             if !self.proxy.place.is_on_surface() {
