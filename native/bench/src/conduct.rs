@@ -175,16 +175,15 @@ pub fn cells(metres: f64, metric: &Metric) -> f64 {
 
 /// The force of a spring of stiffness 1 between goal and proxy, widths of a cell.
 pub fn force(contact: &Contact, metric: &Metric) -> [f64; 3] {
-    contact.normal().map(|part| part * cells(contact.distance(), metric))
+    contact.displacement.map(|part| cells(part, metric))
 }
 
 /// All that a person could feel of a contact, to the last bit.
-fn bits(contact: &Contact) -> [u64; 9] {
-    let [x, y, z] = contact.normal().map(f64::to_bits);
+fn bits(contact: &Contact) -> [u64; 8] {
+    let [x, y, z] = contact.displacement.map(f64::to_bits);
     let proxy = contact.proxy;
-    let place = [proxy.u, proxy.v, proxy.elevation].map(f64::to_bits);
-    let distance = contact.distance().to_bits();
-    [x, y, z, place[0], place[1], place[2], proxy.column as u64, proxy.row as u64, distance]
+    let [u, v, elevation] = [proxy.u, proxy.v, proxy.elevation].map(f64::to_bits);
+    [x, y, z, u, v, elevation, proxy.column as u64, proxy.row as u64]
 }
 
 #[cfg(test)]
@@ -235,8 +234,7 @@ mod tests {
             Contact {
                 proxy,
                 feature: Feature::Face,
-                normal: [0.0, 0.0, 1.0],
-                distance: (self.height - goal.elevation) * metric.up,
+                displacement: [0.0, 0.0, (self.height - goal.elevation) * metric.up],
                 counters: Counters::default(),
             }
         }

@@ -6,7 +6,7 @@ use crate::path::Course;
 use crate::scene::{CELL, Scene, between, length, proxy_at};
 use crate::statistics::{Spread, share};
 use crate::trace::trace;
-use contact::{Contact, Feature};
+use contact::{Contact, Feature, Model};
 use oracle::{Oracle, fault_of_minimum};
 use surface::{GridPoint, Metric};
 
@@ -130,6 +130,10 @@ fn from_oracle(
             }
         };
         model.take_over(begin);
+        if matches!(contender.model, Model::SurfaceWalk { sub_step: Some(_) }) {
+            // From where the goal comes, in sub-steps.
+            model.update(scene.grid, &metric, &course.goal_before(update));
+        }
         let contact = model.update(scene.grid, &metric, goal);
         missed += u64::from(away(&contact, &reference.0[update]));
     }

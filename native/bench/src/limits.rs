@@ -9,7 +9,7 @@ use crate::path::Course;
 use crate::scene::{Scene, between, length};
 use contact::{Contact, ContactModel, Model, Place, Proxy};
 use std::hint::black_box;
-use surface::{Grid, GridPoint, Metric};
+use surface::{Grid, GridPoint, Half, Metric, Triangle};
 
 /// Longer ways of the proxy graph are cut here.
 const MOST_STEPS: usize = 512;
@@ -171,21 +171,36 @@ impl Steppers {
     }
 }
 
-/// Where constrained minimisation begins: the corner closest to the goal of the triangle that the
-/// proxy is in.
+/// Where constrained minimisation begins where no ray goes first: the corner closest to the goal of
+/// the triangle that the way to it leads over.
 fn first_vertex(
     grid: &Grid,
     metric: &Metric,
     from: &Proxy,
     goal: &GridPoint,
 ) -> Option<(i64, i64)> {
-    let Place::Face(triangle) = from.place else { return None };
+    let triangle = match from.place {
+        Place::Space(_) => return None,
+        Place::Face(triangle) => triangle,
+        Place::Edge { .. } | Place::Vertex { .. } => triangle_ahead(&from.position, goal),
+    };
     let distance = |&(column, row): &(i64, i64)| {
         let elevation = grid.elevation(column, row).unwrap_or(f64::NAN);
         let corner = GridPoint::from_sample(column, row, 0.0, 0.0, elevation);
         length(between(&corner, goal, metric))
     };
     triangle.corners().into_iter().min_by(|a, b| distance(a).total_cmp(&distance(b)))
+}
+
+/// The triangle a little way from a point on the straight way to a goal.
+fn triangle_ahead(from: &GridPoint, goal: &GridPoint) -> Triangle {
+    let [columns, rows, _] = goal.relative_to(from.column, from.row, 0.0);
+    let (east, south) = (columns - from.u, rows - from.v);
+    let little = 1e-9 / east.hypot(south).max(1e-9);
+    let (u, v) = (from.u + little * east, from.v + little * south);
+    let ahead = GridPoint::from_sample(from.column, from.row, u, v, 0.0);
+    let half = if ahead.u >= ahead.v { Half::NorthEast } else { Half::SouthWest };
+    Triangle { column: ahead.column, row: ahead.row, half }
 }
 
 #[cfg(test)]

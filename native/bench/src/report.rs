@@ -127,7 +127,7 @@ pub fn print_passivity(scenes: &[SceneCells]) {
     println!(
         "\
 Grown: by more than {ROUNDING:e} of distance, goal's motion and a cell's width together. A hand is held still
-after every eighth update, until no steps are left; then not one bit of proxy, normal and distance may change.
+after every eighth update, until no steps are left; then not one bit of proxy and force may change.
 A jump of 1 is what an exact proxy gives on flat ground; more is felt as a kick. Section 3.4 of the paper
 claims that the distance never grows faster than the goal moves."
     );
