@@ -259,11 +259,13 @@ fn canyon_wall(terrain: &Terrain, column: f64) -> f64 {
     terrain.canyon_wall(column).0
 }
 
-/// As many as a minute or two for each part allow.
+/// As many as a few minutes allow.
 fn updates(speed: f64) -> Updates {
-    let compared = if speed > 20.0 { 1024 } else { 3072 };
-    let timed = if speed > 20.0 { 4096 } else { 8192 };
-    Updates { timed, judged: 32_768, compared }
+    if speed > 20.0 {
+        Updates { timed: 4096, judged: 16_384, compared: 2048 }
+    } else {
+        Updates { timed: 8192, judged: 32_768, compared: 4096 }
+    }
 }
 
 /// What is being done, for those who wait.

@@ -18,7 +18,7 @@ const DEPTH: (f64, f64) = (0.3, 2.0);
 const FOLLOWS: f64 = 0.5;
 
 /// Updates in a leg.
-const LEG: usize = 512;
+const LEG: usize = 256;
 
 /// Radians by which a poking hand goes on in an update, at the most.
 const POKES: f64 = 0.03;
