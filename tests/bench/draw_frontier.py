@@ -103,9 +103,9 @@ def _draw_panel(axes: Axes, figures: Figures, scene: str, title: str) -> None:
     axes.set_yticks(ticks, [f"{tick:g}" for tick in ticks])
     axes.minorticks_off()
     axes.grid(visible=True, alpha=0.25)
-    axes.set_xticks([0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20], minor=False)
+    axes.set_xticks([0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200], minor=False)
     axes.xaxis.set_major_formatter(lambda value, _position: f"{value:g}")
-    axes.set_xlabel("median time of an update, us (hot cache; labels: cells per update)")
+    axes.set_xlabel("median time of an update, us, hot cache (labels: cells per update)")
     axes.set_title(title)
 
 

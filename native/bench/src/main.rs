@@ -264,7 +264,7 @@ fn updates(speed: f64) -> Updates {
     if speed > 20.0 {
         Updates { timed: 4096, judged: 16_384, compared: 2048 }
     } else {
-        Updates { timed: 8192, judged: 32_768, compared: 4096 }
+        Updates { timed: 8192, judged: 32_768, compared: 6144 }
     }
 }
 

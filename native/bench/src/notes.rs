@@ -37,6 +37,7 @@ pub fn note_scenes(scenes: &[SceneCells], figures: &mut Figures) {
                 let errors = &cell.errors[index];
                 figures.set(format!("{name}_miss"), errors.missed);
                 figures.set(format!("{name}_miss_from_oracle"), errors.missed_from_oracle);
+                figures.set(format!("{name}_miss_in_100_steps"), errors.missed_in_steps);
                 figures.set(format!("{name}_excess_mean"), errors.excess.mean);
                 figures.set(format!("{name}_excess_p99"), errors.excess.p99);
                 figures.set(format!("{name}_excess_most"), errors.excess.worst);

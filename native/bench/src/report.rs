@@ -72,10 +72,11 @@ pub fn print_errors(scenes: &[SceneCells]) {
     println!("\n==== Where the proxy ends, against the oracle");
     for scene in scenes {
         scene.print_models(
-            "% of updates over half a cell away: going on freely; from the oracle's state",
+            "% of updates over half a cell away: freely; from the oracle's state; so in 100 steps",
             |cell, index| {
                 let errors = &cell.errors[index];
-                format!("{}; {}", percent(errors.missed), percent(errors.missed_from_oracle))
+                let shares = [errors.missed, errors.missed_from_oracle, errors.missed_in_steps];
+                shares.map(percent).join("; ")
             },
         );
         scene.print_models(
@@ -101,7 +102,8 @@ pub fn print_errors(scenes: &[SceneCells]) {
         "\
 The oracle follows the goal in 100 steps an update, by brute force. Over rough ground a goal that moves many
 cells in one step has more than one nearest point within reach: going on freely, a model that once fell to the
-other side of a ridge is elsewhere for a while; from the oracle's state, only what one update does is counted.
+other side of a ridge is elsewhere for a while; from the oracle's state, only what one update does is counted;
+and where the goal too moves in the oracle's steps, only that the model's motion is another one.
 Of the sphere the point nearest to the goal is compared, and a local minimum of a point means nothing to it.
 Not shown: what a person would notice."
     );
