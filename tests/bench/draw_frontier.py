@@ -46,6 +46,9 @@ CURVES = (
     Curve("virtual_proxy", "virtual proxy (sphere)", "#E69F00", "P", "--"),
 )
 
+LABELLED = {"surface_walk": (10, -13), "proxy_graph": (0, 7), "god_object_release": (0, -15)}
+"""Curves whose points show the speed, and where beside a point, in points."""
+
 
 def main() -> None:
     """Read figures, write the picture."""
@@ -94,8 +97,8 @@ def _draw_panel(axes: Axes, figures: Figures, scene: str, title: str) -> None:
             linewidth=1.6,
             label=curve.name,
         )
-        if curve.key in ("surface_walk", "proxy_graph"):
-            _label_speeds(axes, times, errors, curve.colour)
+        if curve.key in LABELLED:
+            _label_speeds(axes, times, errors, curve)
     axes.set_xscale("log")
     axes.set_yscale("symlog", linthresh=LEAST_PERCENT, linscale=0.4)
     axes.set_ylim(-LEAST_PERCENT / 3, 100)
@@ -109,16 +112,16 @@ def _draw_panel(axes: Axes, figures: Figures, scene: str, title: str) -> None:
     axes.set_title(title)
 
 
-def _label_speeds(axes: Axes, times: list[float], errors: list[float], colour: str) -> None:
+def _label_speeds(axes: Axes, times: list[float], errors: list[float], curve: Curve) -> None:
     for speed, time, error in zip(SPEEDS, times, errors, strict=True):
         axes.annotate(
             speed.replace("_", "."),
             (time, error),
             textcoords="offset points",
-            xytext=(0, 8),
+            xytext=LABELLED[curve.key],
             ha="center",
             fontsize=9,
-            color=colour,
+            color=curve.colour,
         )
 
 
