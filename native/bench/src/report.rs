@@ -154,9 +154,12 @@ pub fn print_sizes(rows: &[SizeRow], names: &[&str]) {
     }
     println!(
         "\
-The same local terrain at random places; blocks of all planets shuffled. Untouched: no line was read before,
-and the pages are mapped; hot and cold as above. Not shown: the first touch of a page (a fault of about a
-microsecond where the file is in the page cache, a wait for the disk where it is not)."
+The same local terrain at random places; blocks of all planets shuffled. Untouched: only one line in each page
+was read before; hot and cold as above. Hot shows the model; cold adds page tables that take more lines where
+rows are longer (in a virtual machine twice over); untouched adds that a small grid lies in the last-level cache
+from before and a large one does not. Not shown: the first touch of a page (a fault of about a microsecond
+where the file is in the page cache, much more where a virtual machine's host has taken the page away, a wait
+for the disk where it is not there at all)."
     );
 }
 
