@@ -46,6 +46,9 @@ CURVES = (
     Curve("virtual_proxy", "virtual proxy (sphere)", "#E69F00", "P", "--"),
 )
 
+LABELLED = {"surface_walk": (10, -13), "proxy_graph": (0, 7), "god_object_release": (0, -15)}
+"""Curves whose points show the speed, and where beside a point, in points."""
+
 
 def main() -> None:
     """Read figures, write the picture."""
@@ -94,8 +97,8 @@ def _draw_panel(axes: Axes, figures: Figures, scene: str, title: str) -> None:
             linewidth=1.6,
             label=curve.name,
         )
-        if curve.key in ("surface_walk", "proxy_graph"):
-            _label_speeds(axes, times, errors, curve.colour)
+        if curve.key in LABELLED:
+            _label_speeds(axes, times, errors, curve)
     axes.set_xscale("log")
     axes.set_yscale("symlog", linthresh=LEAST_PERCENT, linscale=0.4)
     axes.set_ylim(-LEAST_PERCENT / 3, 100)
@@ -103,22 +106,22 @@ def _draw_panel(axes: Axes, figures: Figures, scene: str, title: str) -> None:
     axes.set_yticks(ticks, [f"{tick:g}" for tick in ticks])
     axes.minorticks_off()
     axes.grid(visible=True, alpha=0.25)
-    axes.set_xticks([0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20], minor=False)
+    axes.set_xticks([0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200], minor=False)
     axes.xaxis.set_major_formatter(lambda value, _position: f"{value:g}")
-    axes.set_xlabel("median time of an update, us (hot cache; labels: cells per update)")
+    axes.set_xlabel("median time of an update, us, hot cache (labels: cells per update)")
     axes.set_title(title)
 
 
-def _label_speeds(axes: Axes, times: list[float], errors: list[float], colour: str) -> None:
+def _label_speeds(axes: Axes, times: list[float], errors: list[float], curve: Curve) -> None:
     for speed, time, error in zip(SPEEDS, times, errors, strict=True):
         axes.annotate(
             speed.replace("_", "."),
             (time, error),
             textcoords="offset points",
-            xytext=(0, 8),
+            xytext=LABELLED[curve.key],
             ha="center",
             fontsize=9,
-            color=colour,
+            color=curve.colour,
         )
 
 

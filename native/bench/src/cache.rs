@@ -171,3 +171,37 @@ impl Sweep {
         black_box(bytes.fold(0u8, |all, byte| all ^ byte));
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::path::Hand;
+    use crate::scene::{Field, Mode};
+    use surface::{ByteOrder, Grid, GridLayout, SampleType};
+
+    #[test]
+    fn the_lines_of_a_block_hold_every_sample_beside_its_ways_and_each_once() {
+        let layout = GridLayout::packed(300, 300, 1.0, 1.0, SampleType::I16, ByteOrder::Big);
+        let grid = Grid::from_vec(vec![0; 300 * 300 * 2], layout.unwrap()).unwrap();
+        let scene = Scene {
+            key: "flat",
+            title: String::new(),
+            grid: &grid,
+            exaggeration: 1.0,
+            mode: Mode::Swipe,
+            field: Field::Part(20.0, 280.0, 20.0, 280.0),
+        };
+        let course = Hand::new(5.0, 1).over(&scene, 64);
+        let lines = Lines::around(&scene, &course, &[], &[], 16);
+        assert_eq!(lines.blocks.len(), 4);
+        for (update, goal) in course.goals.iter().enumerate() {
+            let block = &lines.blocks[update / 16];
+            for (east, south) in (-2..=3).flat_map(|east| [-2, 0, 3].map(|south| (east, south))) {
+                let address = grid.sample_address(goal.column + east, goal.row + south);
+                let line = address.unwrap() as usize / LINE;
+                let held = block.iter().filter(|held| *held / LINE == line).count();
+                assert_eq!(held, 1, "update {update}");
+            }
+        }
+    }
+}

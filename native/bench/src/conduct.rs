@@ -175,14 +175,97 @@ pub fn cells(metres: f64, metric: &Metric) -> f64 {
 
 /// The force of a spring of stiffness 1 between goal and proxy, widths of a cell.
 pub fn force(contact: &Contact, metric: &Metric) -> [f64; 3] {
-    contact.normal().map(|part| part * cells(contact.distance(), metric))
+    contact.displacement.map(|part| cells(part, metric))
 }
 
 /// All that a person could feel of a contact, to the last bit.
-fn bits(contact: &Contact) -> [u64; 9] {
-    let [x, y, z] = contact.normal().map(f64::to_bits);
+fn bits(contact: &Contact) -> [u64; 8] {
+    let [x, y, z] = contact.displacement.map(f64::to_bits);
     let proxy = contact.proxy;
-    let place = [proxy.u, proxy.v, proxy.elevation].map(f64::to_bits);
-    let distance = contact.distance().to_bits();
-    [x, y, z, place[0], place[1], place[2], proxy.column as u64, proxy.row as u64, distance]
+    let [u, v, elevation] = [proxy.u, proxy.v, proxy.elevation].map(f64::to_bits);
+    [x, y, z, u, v, elevation, proxy.column as u64, proxy.row as u64]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::path::Hand;
+    use crate::scene::{Field, Mode};
+    use contact::{Counters, Model, Proxy};
+    use surface::{ByteOrder, Grid, GridLayout, SampleType};
+
+    fn flat() -> Grid {
+        let layout = GridLayout::packed(64, 64, 1.0, 1.0, SampleType::I16, ByteOrder::Big);
+        Grid::from_vec(vec![0; 64 * 64 * 2], layout.unwrap()).unwrap()
+    }
+
+    fn scene(grid: &Grid) -> Scene<'_> {
+        Scene {
+            key: "flat",
+            title: String::new(),
+            grid,
+            exaggeration: 1.0,
+            mode: Mode::Swipe,
+            field: Field::Part(10.0, 50.0, 10.0, 50.0),
+        }
+    }
+
+    /// Right above the goal, but for what is wrong with it.
+    struct Wrong {
+        /// Added to the height in every update.
+        climbs: f64,
+        height: f64,
+    }
+
+    impl ContactModel for Wrong {
+        fn name(&self) -> &'static str {
+            "wrong"
+        }
+
+        fn proxy(&self) -> Proxy {
+            Proxy::in_space(GridPoint::new(0.0, 0.0, self.height))
+        }
+
+        fn take_over(&mut self, _proxy: Proxy) {}
+
+        fn update(&mut self, _grid: &Grid, metric: &Metric, goal: &GridPoint) -> Contact {
+            self.height += self.climbs;
+            let proxy = GridPoint { elevation: self.height, ..*goal };
+            Contact {
+                proxy,
+                feature: Feature::Face,
+                displacement: [0.0, 0.0, (self.height - goal.elevation) * metric.up],
+                counters: Counters::default(),
+            }
+        }
+    }
+
+    fn judged(model: &mut dyn ContactModel) -> Conduct {
+        let grid = flat();
+        let scene = scene(&grid);
+        Conduct::along(model, &scene, &Hand::new(0.1, 1).over(&scene, 800))
+    }
+
+    #[test]
+    fn a_model_without_fault_has_none() {
+        let conduct = judged(&mut *Model::ProxyGraph.build(1000));
+        assert_eq!((conduct.grew, conduct.restless, conduct.under_surface), (0, 0, 0));
+        assert_eq!((conduct.updates, conduct.held), (900, 100));
+        assert!(conduct.jump.worst <= 1.0 + 1e-9, "{:?}", conduct.jump);
+    }
+
+    #[test]
+    fn a_proxy_that_moves_by_itself_is_seen() {
+        let conduct = judged(&mut Wrong { climbs: 0.5, height: 0.0 });
+        assert!(conduct.grew > 800 && conduct.held == conduct.restless);
+        let conduct = judged(&mut Wrong { climbs: 1e-15, height: 0.0 });
+        assert_eq!(conduct.grew, 0, "rounding");
+        assert_eq!(conduct.restless, 100, "but not one bit of a held hand may change");
+    }
+
+    #[test]
+    fn a_proxy_in_the_ground_is_seen() {
+        assert_eq!(judged(&mut Wrong { climbs: 0.0, height: -1e-6 }).under_surface, 900);
+        assert_eq!(judged(&mut Wrong { climbs: 0.0, height: 0.0 }).under_surface, 0);
+    }
 }

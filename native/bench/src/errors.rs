@@ -6,7 +6,7 @@ use crate::path::Course;
 use crate::scene::{CELL, Scene, between, length, proxy_at};
 use crate::statistics::{Spread, share};
 use crate::trace::trace;
-use contact::{Contact, Feature};
+use contact::{Contact, ContactModel, Feature, Model, Proxy};
 use oracle::{Oracle, fault_of_minimum};
 use surface::{GridPoint, Metric};
 
@@ -15,6 +15,12 @@ const SUB_STEPS: u32 = 100;
 
 /// A proxy farther than this from the oracle's is elsewhere, widths of a cell.
 pub const ELSEWHERE: f64 = 0.5;
+
+/// Every so many updates are followed in the oracle's steps too.
+const STRIDE: usize = 8;
+
+/// Updates that what is left over is waited for.
+const LONGEST_REST: u32 = 100;
 
 /// Forces weaker than this have no direction worth comparing, widths of a cell in a spring of 1.
 const WEAK: f64 = 1e-3;
@@ -35,6 +41,9 @@ pub struct Errors {
     pub missed: f64,
     /// Share over half a cell away, every update started from where the oracle was.
     pub missed_from_oracle: f64,
+    /// The same where the goal moves in as many steps as the oracle's: what is left is no matter of
+    /// the goal's speed, but another motion.
+    pub missed_in_steps: f64,
     /// Distance to the goal beyond the oracle's, widths of a cell, free-running.
     pub excess: Spread,
     /// Angle between its force and the oracle's, degrees, free-running.
@@ -70,6 +79,17 @@ impl Reference {
     }
 }
 
+impl Exact {
+    fn proxy(&self) -> Proxy {
+        proxy_at(self.position, self.touches)
+    }
+
+    /// Whether a point is so far away that it is another place.
+    fn is_elsewhere(&self, point: &GridPoint, metric: &Metric) -> bool {
+        length(between(&self.position, point, metric)) > ELSEWHERE
+    }
+}
+
 impl Errors {
     /// Follows a course freely, and once more from the oracle's proxy in each update.
     pub fn measure(
@@ -81,17 +101,13 @@ impl Errors {
         let metric = scene.metric();
         let free = trace(&mut *contender.build(), scene, course);
         let compared = free.len() as u64;
-        let away = |contact: &Contact, exact: &Exact| {
-            let touch = touch_point(contender, contact, &metric);
-            length(between(&exact.position, &touch, &metric)) > ELSEWHERE
-        };
         let mut errors = Self::default();
         let (mut missed, mut faults) = (0, 0);
         let (mut excess, mut direction) = (Vec::new(), Vec::new());
         for ((contact, exact), goal) in free.iter().zip(&reference.0).zip(&course.goals) {
-            missed += u64::from(away(contact, exact));
-            let best = length(between(goal, &exact.position, &metric));
             let touch = touch_point(contender, contact, &metric);
+            missed += u64::from(exact.is_elsewhere(&touch, &metric));
+            let best = length(between(goal, &exact.position, &metric));
             excess.push(length(between(goal, &touch, &metric)) - best);
             direction
                 .extend(angle(force(contact, &metric), between(goal, &exact.position, &metric)));
@@ -105,35 +121,72 @@ impl Errors {
         errors.direction = Spread::of(direction);
         // A sphere's middle is beside the surface everywhere.
         errors.not_minimal = (contender.key != SPHERE).then(|| share(faults, compared));
-        errors.missed_from_oracle = from_oracle(contender, scene, course, reference, away);
+        errors.missed_from_oracle = from_oracle(contender, scene, course, reference, (1, 1));
+        errors.missed_in_steps =
+            from_oracle(contender, scene, course, reference, (SUB_STEPS, STRIDE));
         errors
     }
 }
 
-/// The share of updates that end elsewhere though they begin where the oracle was.
+/// The share of updates that end elsewhere though they begin where the oracle was, of every `stride`-th
+/// update; the goal moves in `steps` equal steps.
 fn from_oracle(
     contender: &Contender,
     scene: &Scene,
     course: &Course,
     reference: &Reference,
-    away: impl Fn(&Contact, &Exact) -> bool,
+    (steps, stride): (u32, usize),
 ) -> f64 {
     let metric = scene.metric();
     let mut model = contender.build();
-    let mut missed = 0;
-    for (update, goal) in course.goals.iter().enumerate() {
-        let begin = match course.start_at(update) {
+    let (mut missed, mut compared) = (0, 0);
+    for update in (0..course.goals.len()).step_by(stride) {
+        let (before, goal) = (course.goal_before(update), course.goals[update]);
+        model.take_over(match course.start_at(update) {
             Some(start) => start,
-            None => {
-                let Exact { position, touches } = reference.0[update - 1];
-                proxy_at(position, touches)
-            }
+            None => reference.0[update - 1].proxy(),
+        });
+        if steps > 1 || matches!(contender.model, Model::SurfaceWalk { sub_step: Some(_) }) {
+            // From where the goal comes.
+            finish(&mut *model, scene, &metric, &before);
+        }
+        for step in 1..steps {
+            let goal = part_of_way(&before, &goal, f64::from(step) / f64::from(steps));
+            finish(&mut *model, scene, &metric, &goal);
+        }
+        let contact = if steps > 1 {
+            finish(&mut *model, scene, &metric, &goal)
+        } else {
+            model.update(scene.grid, &metric, &goal)
         };
-        model.take_over(begin);
-        let contact = model.update(scene.grid, &metric, goal);
-        missed += u64::from(away(&contact, &reference.0[update]));
+        let touch = touch_point(contender, &contact, &metric);
+        missed += u64::from(reference.0[update].is_elsewhere(&touch, &metric));
+        compared += 1;
     }
-    share(missed, course.goals.len() as u64)
+    share(missed, compared)
+}
+
+/// Updates a model until no steps are left.
+fn finish(
+    model: &mut dyn ContactModel,
+    scene: &Scene,
+    metric: &Metric,
+    goal: &GridPoint,
+) -> Contact {
+    let mut contact = model.update(scene.grid, metric, goal);
+    for _ in 0..LONGEST_REST {
+        if contact.counters.steps_left == 0 {
+            break;
+        }
+        contact = model.update(scene.grid, metric, goal);
+    }
+    contact
+}
+
+fn part_of_way(from: &GridPoint, to: &GridPoint, share: f64) -> GridPoint {
+    let [columns, rows, up] = to.relative_to(from.column, from.row, from.elevation);
+    let (u, v) = (from.u + share * (columns - from.u), from.v + share * (rows - from.v));
+    GridPoint::from_sample(from.column, from.row, u, v, from.elevation + share * up)
 }
 
 /// What of a proxy touches the surface: the proxy, and of a sphere the point nearest to the goal.

@@ -9,7 +9,7 @@ use crate::path::Course;
 use crate::scene::{Scene, between, length};
 use contact::{Contact, ContactModel, Model, Place, Proxy};
 use std::hint::black_box;
-use surface::{Grid, GridPoint, Metric};
+use surface::{Grid, GridPoint, Half, Metric, Triangle};
 
 /// Longer ways of the proxy graph are cut here.
 const MOST_STEPS: usize = 512;
@@ -154,6 +154,10 @@ impl Steppers {
             let stepper = &mut self.0[budget - 1];
             stepper.take_over(from);
             let contact = stepper.update(grid, metric, goal);
+            if budget == 1 && contact.counters.cells > 0 {
+                // It went through the air first, and begins in the triangle that it meets.
+                visited.clear();
+            }
             if let Place::Vertex { column, row } = stepper.proxy().place
                 && visited.last() != Some(&(column, row))
             {
@@ -167,19 +171,96 @@ impl Steppers {
     }
 }
 
-/// Where constrained minimisation begins: the corner closest to the goal of the triangle that the
-/// proxy is in.
+/// Where constrained minimisation begins where no ray goes first: the corner closest to the goal of
+/// the triangle that the way to it leads over.
 fn first_vertex(
     grid: &Grid,
     metric: &Metric,
     from: &Proxy,
     goal: &GridPoint,
 ) -> Option<(i64, i64)> {
-    let Place::Face(triangle) = from.place else { return None };
+    let triangle = match from.place {
+        Place::Space(_) => return None,
+        Place::Face(triangle) => triangle,
+        Place::Edge { .. } | Place::Vertex { .. } => triangle_ahead(&from.position, goal),
+    };
     let distance = |&(column, row): &(i64, i64)| {
         let elevation = grid.elevation(column, row).unwrap_or(f64::NAN);
         let corner = GridPoint::from_sample(column, row, 0.0, 0.0, elevation);
         length(between(&corner, goal, metric))
     };
     triangle.corners().into_iter().min_by(|a, b| distance(a).total_cmp(&distance(b)))
+}
+
+/// The triangle a little way from a point on the straight way to a goal.
+fn triangle_ahead(from: &GridPoint, goal: &GridPoint) -> Triangle {
+    let [columns, rows, _] = goal.relative_to(from.column, from.row, 0.0);
+    let (east, south) = (columns - from.u, rows - from.v);
+    let little = 1e-9 / east.hypot(south).max(1e-9);
+    let (u, v) = (from.u + little * east, from.v + little * south);
+    let ahead = GridPoint::from_sample(from.column, from.row, u, v, 0.0);
+    let half = if ahead.u >= ahead.v { Half::NorthEast } else { Half::SouthWest };
+    Triangle { column: ahead.column, row: ahead.row, half }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::path::Hand;
+    use crate::random::Random;
+    use crate::scene::{Field, Mode};
+    use crate::trace::trace;
+    use surface::{ByteOrder, GridLayout, SampleType};
+
+    fn bumpy() -> Grid {
+        let layout = GridLayout::packed(300, 300, 100.0, 100.0, SampleType::I16, ByteOrder::Big);
+        let mut random = Random::new(9);
+        let bytes = (0..300 * 300).flat_map(|_| (random.below(8) as i16).to_be_bytes());
+        Grid::from_vec(bytes.collect(), layout.unwrap().with_wrap(true)).unwrap()
+    }
+
+    fn scene(grid: &Grid) -> Scene<'_> {
+        Scene {
+            key: "bumpy",
+            title: String::new(),
+            grid,
+            exaggeration: 1.0,
+            mode: Mode::Swipe,
+            field: Field::Rows(50.0, 250.0),
+        }
+    }
+
+    #[test]
+    fn the_graphs_loads_are_the_vertices_that_it_says_it_visits() {
+        let grid = bumpy();
+        let scene = scene(&grid);
+        let course = Hand::new(13.4, 1).over(&scene, 600);
+        let (loads, visited) = graph_loads(&scene, &course);
+        let contacts = trace(&mut *Model::ProxyGraph.build(4096), &scene, &course);
+        let mut compared = 0;
+        for (vertices, contact) in visited.iter().zip(&contacts).skip(1) {
+            // Where it goes through the air in between, a vertex may be left and met again.
+            if contact.counters.collision_tests == 1 && contact.counters.vertices > 0 {
+                assert_eq!(vertices.len(), contact.counters.vertices as usize);
+                compared += 1;
+            }
+        }
+        assert!(compared > 400, "{compared}");
+        let all: usize = visited.iter().map(Vec::len).sum();
+        assert_eq!(loads.mean() * 600.0, all as f64);
+    }
+
+    #[test]
+    fn the_walks_loads_are_one_for_each_border_under_its_way() {
+        let grid = bumpy();
+        let scene = scene(&grid);
+        let course = Hand::new(3.0, 1).over(&scene, 200);
+        let contacts = trace(&mut *Model::default().build(4096), &scene, &course);
+        let loads = walk_loads(&scene, &course, &contacts);
+        // A way of 3 cells crosses 3 (|cos| + |sin| + |cos - sin|) borders.
+        assert!((5.0..8.5).contains(&loads.mean()), "{}", loads.mean());
+        assert_eq!(loads.begins.len(), 201);
+        // SAFETY: the grid is still there.
+        unsafe { (0..200).for_each(|update| loads.load_chained(update, 0)) };
+    }
 }

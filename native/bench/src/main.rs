@@ -36,6 +36,7 @@ mod worst;
 
 use cell::{Cell, Updates};
 use figures::Figures;
+use goals::SWIPE;
 use machine::Machine;
 use options::{Options, USAGE};
 use planet::{Planet, SIZE_2G, SIZE_10G, SIZE_33M, SIZE_133M, Size, require_room};
@@ -186,7 +187,7 @@ fn measure_scenes(options: &Options, planets: &[Planet], stopwatch: &Stopwatch) 
     let mut all = |scene: Scene, speeds: &[f64]| {
         let measure = |speed: &f64| {
             progress(&format!("{} at {speed} cells per update", scene.title));
-            Cell::measure(&scene, *speed, updates(*speed), stopwatch)
+            Cell::measure(&scene, *speed, updates(&scene, *speed), stopwatch)
         };
         let cells = speeds.iter().map(measure).collect();
         measured.push(SceneCells { key: scene.key, title: scene.title, cells });
@@ -259,11 +260,15 @@ fn canyon_wall(terrain: &Terrain, column: f64) -> f64 {
     terrain.canyon_wall(column).0
 }
 
-/// As many as a minute or two for each part allow.
-fn updates(speed: f64) -> Updates {
-    let compared = if speed > 20.0 { 1024 } else { 3072 };
-    let timed = if speed > 20.0 { 4096 } else { 8192 };
-    Updates { timed, judged: 32_768, compared }
+/// As many as a few minutes allow, and more times over where ratios are worked out.
+fn updates(scene: &Scene, speed: f64) -> Updates {
+    let is_compared = ["x1", "x20_canyon"].contains(&scene.key) && [1.0, SWIPE].contains(&speed);
+    let repeats = if is_compared { 3 } else { 1 };
+    if speed > 20.0 {
+        Updates { timed: 4096, repeats, judged: 16_384, compared: 2048 }
+    } else {
+        Updates { timed: 8192, repeats, judged: 32_768, compared: 6144 }
+    }
 }
 
 /// What is being done, for those who wait.

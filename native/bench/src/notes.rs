@@ -37,6 +37,7 @@ pub fn note_scenes(scenes: &[SceneCells], figures: &mut Figures) {
                 let errors = &cell.errors[index];
                 figures.set(format!("{name}_miss"), errors.missed);
                 figures.set(format!("{name}_miss_from_oracle"), errors.missed_from_oracle);
+                figures.set(format!("{name}_miss_in_100_steps"), errors.missed_in_steps);
                 figures.set(format!("{name}_excess_mean"), errors.excess.mean);
                 figures.set(format!("{name}_excess_p99"), errors.excess.p99);
                 figures.set(format!("{name}_excess_most"), errors.excess.worst);
@@ -82,9 +83,10 @@ pub fn note_sizes(rows: &[SizeRow], names: &[&str], figures: &mut Figures) {
             figures.set_times(&prefix, times);
             let ratio = times.median / row.times[0].median;
             figures.set(format!("{prefix}_ratio"), ratio);
-            let is_goal = row.warmth == Warmth::Untouched && row.speed == SWIPE && row.key == WALK;
-            if is_goal && *name != names[0] {
-                figures.set(format!("walk_{name}_over_{}", names[0]), ratio);
+            if row.speed == SWIPE && row.key == WALK && *name != names[0] {
+                let ending = if row.warmth == Warmth::Untouched { "" } else { state };
+                let goal = format!("walk_{name}_over_{} {ending}", names[0]);
+                figures.set(goal.trim_end().replace(' ', "_"), ratio);
             }
         }
     }

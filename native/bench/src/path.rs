@@ -18,15 +18,15 @@ const DEPTH: (f64, f64) = (0.3, 2.0);
 const FOLLOWS: f64 = 0.5;
 
 /// Updates in a leg.
-const LEG: usize = 512;
+const LEG: usize = 256;
 
 /// Radians by which a poking hand goes on in an update, at the most.
 const POKES: f64 = 0.03;
 
-/// Height at which a proxy begins over all ground within two cells, widths of a cell: room for a
-/// sphere of half a cell beside a cliff too.
+/// Height at which a proxy begins over all samples around, widths of a cell: room for a sphere of
+/// half a cell beside a cliff too.
 const START: f64 = 0.6;
-const AROUND: std::ops::RangeInclusive<i64> = -2..=2;
+const AROUND: std::ops::RangeInclusive<i64> = -2..=3;
 
 /// A hand's path over a scene, in legs that each begin somewhere else: a slow hand would else stay
 /// at one place.
@@ -127,11 +127,13 @@ impl Hand {
         let height = |way: &Way| surface(&GridPoint::new(way.column, way.row, 0.0)) / up;
         let (least, most) = self.depth;
         let mut smoothed = height(&way);
-        let beside = |east: i64, south: i64| {
-            surface(&GridPoint::new(way.column + east as f64, way.row + south as f64, 0.0)) / up
+        let here = GridPoint::new(way.column, way.row, 0.0);
+        let sample = |east: i64, south: i64| {
+            surface(&GridPoint::from_sample(here.column + east, here.row + south, 0.0, 0.0, 0.0))
+                / up
         };
         let around = AROUND.flat_map(|east| AROUND.map(move |south| (east, south)));
-        let highest = around.map(|(east, south)| beside(east, south)).fold(smoothed, f64::max);
+        let highest = around.map(|(east, south)| sample(east, south)).fold(smoothed, f64::max);
         let start = GridPoint::new(way.column, way.row, (highest + START) * up);
         course.starts.push(proxy_at(start, false));
         let mut pressed = random.unit();

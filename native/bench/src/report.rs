@@ -26,8 +26,9 @@ that the graph visits; chained: every address waits for the value before, free: 
 hand crosses less than a cell in an update only the first of the 16 is cold. surface_walk_sub_1 and _sub_0_25 move
 the goal by at most one and a quarter cell at a time; the sphere of virtual_proxy has a radius of {RADIUS} cell.
 Not shown: a page's first touch, a live thread's wake-up, other programs. Tails (p99.9) of a few thousand
-updates belong to the system and to its other guests as much as to the models. Absolute numbers are this
-machine's; ratios within a table travel better."
+updates belong to the system and to its other guests as much as to the models. Unscaled and on canyon walls, at
+1 and 13.4 cells, the quietest of three races counts. Where other programs run, models slow down more than chains
+of loads do. Absolute numbers are this machine's; ratios within a table travel better."
     );
 }
 
@@ -72,10 +73,11 @@ pub fn print_errors(scenes: &[SceneCells]) {
     println!("\n==== Where the proxy ends, against the oracle");
     for scene in scenes {
         scene.print_models(
-            "% of updates over half a cell away: going on freely; from the oracle's state",
+            "% of updates over half a cell away: freely; from the oracle's state; so in 100 steps",
             |cell, index| {
                 let errors = &cell.errors[index];
-                format!("{}; {}", percent(errors.missed), percent(errors.missed_from_oracle))
+                let shares = [errors.missed, errors.missed_from_oracle, errors.missed_in_steps];
+                shares.map(percent).join("; ")
             },
         );
         scene.print_models(
@@ -101,7 +103,8 @@ pub fn print_errors(scenes: &[SceneCells]) {
         "\
 The oracle follows the goal in 100 steps an update, by brute force. Over rough ground a goal that moves many
 cells in one step has more than one nearest point within reach: going on freely, a model that once fell to the
-other side of a ridge is elsewhere for a while; from the oracle's state, only what one update does is counted.
+other side of a ridge is elsewhere for a while; from the oracle's state, only what one update does is counted;
+and where the goal too moves in the oracle's steps, only that the model's motion is another one.
 Of the sphere the point nearest to the goal is compared, and a local minimum of a point means nothing to it.
 Not shown: what a person would notice."
     );
@@ -127,7 +130,7 @@ pub fn print_passivity(scenes: &[SceneCells]) {
     println!(
         "\
 Grown: by more than {ROUNDING:e} of distance, goal's motion and a cell's width together. A hand is held still
-after every eighth update, until no steps are left; then not one bit of proxy, normal and distance may change.
+after every eighth update, until no steps are left; then not one bit of proxy and force may change.
 A jump of 1 is what an exact proxy gives on flat ground; more is felt as a kick. Section 3.4 of the paper
 claims that the distance never grows faster than the goal moves."
     );
@@ -151,9 +154,12 @@ pub fn print_sizes(rows: &[SizeRow], names: &[&str]) {
     }
     println!(
         "\
-The same local terrain at random places; blocks of all planets shuffled. Untouched: no line was read before,
-and the pages are mapped; hot and cold as above. Not shown: the first touch of a page (a fault of about a
-microsecond where the file is in the page cache, a wait for the disk where it is not)."
+The same local terrain at random places; blocks of all planets shuffled. Untouched: only one line in each page
+was read before; hot and cold as above. Hot shows the model; cold adds page tables that take more lines where
+rows are longer (in a virtual machine twice over); untouched adds that a small grid lies in the last-level cache
+from before and a large one does not. Not shown: the first touch of a page (a fault of about a microsecond
+where the file is in the page cache, much more where a virtual machine's host has taken the page away, a wait
+for the disk where it is not there at all)."
     );
 }
 

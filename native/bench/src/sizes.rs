@@ -63,7 +63,12 @@ fn measure_one(
     planets: &[Planet],
     stopwatch: &Stopwatch,
 ) -> Vec<SizeRow> {
-    let places = places(planets, &mut Random::new(seed));
+    let size = |planet: &Planet| {
+        let layout = planet.grid.layout();
+        (layout.columns() as usize, layout.rows() as usize)
+    };
+    let sizes: Vec<_> = planets.iter().map(size).collect();
+    let places = places(&sizes, &mut Random::new(seed));
     let scenes: Vec<_> = planets.iter().map(scene).collect();
     let courses: Vec<_> = (0..planets.len())
         .map(|planet| course(&planets[planet], &scenes[planet], speed, seed, &places[planet]))
@@ -114,29 +119,56 @@ fn scene<'a>(planet: &'a Planet) -> Scene<'a> {
     }
 }
 
-/// For each planet the sample at which each leg begins: the same place of the tile on all of them.
-fn places(planets: &[Planet], random: &mut Random) -> Vec<Vec<(i64, i64)>> {
-    let northern = |planet: &Planet| {
-        (NORTH_OF_CANYON * f64::from(planet.grid.layout().rows())) as usize - MARGIN
-    };
-    let smallest = planets.iter().map(northern).min().unwrap_or(0);
+/// For each planet of so many columns and rows the sample at which each leg begins: the same place of
+/// the tile on all of them.
+fn places(sizes: &[(usize, usize)], random: &mut Random) -> Vec<Vec<(i64, i64)>> {
+    let northern = |rows: usize| (NORTH_OF_CANYON * rows as f64) as usize - MARGIN;
+    let smallest = sizes.iter().map(|&(_, rows)| northern(rows)).min().unwrap_or(0);
     let offsets: Vec<_> = (0..LEGS)
         .map(|_| (random.below(PERIOD), MARGIN + random.below(smallest - MARGIN)))
         .collect();
-    let mut on_planet = |planet: &Planet| {
-        let tiles_around = planet.grid.layout().columns() as usize / PERIOD;
+    let mut on_planet = |&(columns, rows): &(usize, usize)| {
         let mut place = |&(column, row): &(usize, usize)| {
-            let tiles_down = (northern(planet) - row - 1) / PERIOD + 1;
-            let column = column + PERIOD * random.below(tiles_around);
+            let tiles_down = (northern(rows) - row - 1) / PERIOD + 1;
+            let column = column + PERIOD * random.below(columns / PERIOD);
             (column as i64, (row + PERIOD * random.below(tiles_down)) as i64)
         };
         offsets.iter().map(&mut place).collect()
     };
-    planets.iter().map(&mut on_planet).collect()
+    sizes.iter().map(&mut on_planet).collect()
 }
 
 /// A path of short legs. The hand's way is the same on every planet, only begun elsewhere.
 fn course(planet: &Planet, scene: &Scene, speed: f64, seed: u64, places: &[(i64, i64)]) -> Course {
     let surface = |point: &GridPoint| planet.terrain.surface(point);
     Hand { leg: LEG, ..Hand::new(speed, seed) }.starting_at(scene, &surface, places)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn legs_begin_at_the_same_place_of_the_tile_on_every_planet() {
+        let sizes = [(5760, 2880), (11_520, 5760), (99_840, 49_920)];
+        let places = places(&sizes, &mut Random::new(1));
+        for leg in 0..LEGS {
+            let (column, row) = places[0][leg];
+            for (size, places) in sizes.iter().zip(&places) {
+                let place = places[leg];
+                assert_eq!((place.0 - column) % PERIOD as i64, 0);
+                assert_eq!((place.1 - row) % PERIOD as i64, 0);
+                assert!((0..size.0 as i64).contains(&place.0));
+                let northern = (NORTH_OF_CANYON * size.1 as f64) as i64 - MARGIN as i64;
+                assert!((MARGIN as i64..northern).contains(&place.1));
+            }
+        }
+        let tiles_used = |places: &[(i64, i64)]| {
+            let mut tiles: Vec<_> = places.iter().map(|place| place.0 / PERIOD as i64).collect();
+            tiles.sort_unstable();
+            tiles.dedup();
+            tiles.len()
+        };
+        assert!(tiles_used(&places[2]) > 30, "all over the planet");
+    }
 }

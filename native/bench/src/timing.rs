@@ -176,3 +176,77 @@ fn time(block: Range<usize>, ticks: &mut Vec<u64>, mut run: impl FnMut(usize)) {
         ticks.push(clock::stop().saturating_sub(began));
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::path::Hand;
+    use crate::scene::{Field, Mode, Scene};
+    use contact::{Contact, Model, Proxy};
+    use std::sync::Arc;
+    use std::sync::atomic::{AtomicUsize, Ordering};
+    use surface::{ByteOrder, GridLayout, GridPoint, SampleType};
+
+    /// Counts what it is asked for, and does it.
+    struct Counted {
+        inner: Box<dyn ContactModel>,
+        updates: Arc<AtomicUsize>,
+        starts: Arc<AtomicUsize>,
+    }
+
+    impl ContactModel for Counted {
+        fn name(&self) -> &'static str {
+            self.inner.name()
+        }
+
+        fn proxy(&self) -> Proxy {
+            self.inner.proxy()
+        }
+
+        fn take_over(&mut self, proxy: Proxy) {
+            self.starts.fetch_add(1, Ordering::Relaxed);
+            self.inner.take_over(proxy);
+        }
+
+        fn update(&mut self, grid: &Grid, metric: &Metric, goal: &GridPoint) -> Contact {
+            self.updates.fetch_add(1, Ordering::Relaxed);
+            self.inner.update(grid, metric, goal)
+        }
+    }
+
+    #[test]
+    fn every_contender_does_every_update_once_and_begins_every_leg() {
+        let layout = GridLayout::packed(64, 64, 1.0, 1.0, SampleType::I16, ByteOrder::Big);
+        let grid = Grid::from_vec(vec![0; 64 * 64 * 2], layout.unwrap()).unwrap();
+        let scene = Scene {
+            key: "flat",
+            title: String::new(),
+            grid: &grid,
+            exaggeration: 1.0,
+            mode: Mode::Swipe,
+            field: Field::Part(10.0, 50.0, 10.0, 50.0),
+        };
+        let course = Hand { leg: 2 * BLOCK, ..Hand::new(0.5, 1) }.over(&scene, 7 * BLOCK + 3);
+        let lines = Lines::around(&scene, &course, &[], &[], BLOCK);
+        let track =
+            Track { grid: &grid, metric: scene.metric(), course: &course, lines: Some(&lines) };
+        for warmth in [Warmth::Hot, Warmth::Cold, Warmth::Untouched] {
+            let counts: Vec<_> = (0..3).map(|_| <[Arc<AtomicUsize>; 2]>::default()).collect();
+            let mut entries: Vec<_> = counts
+                .iter()
+                .map(|[updates, starts]| {
+                    let inner = Model::ProxyGraph.build(1000);
+                    let (updates, starts) = (updates.clone(), starts.clone());
+                    let runner = Runner::Model(Box::new(Counted { inner, updates, starts }));
+                    Entry { runner, track: &track }
+                })
+                .collect();
+            let times = Stopwatch::new().unwrap().race(&mut entries, warmth);
+            assert_eq!(times.len(), 3);
+            for [updates, starts] in &counts {
+                assert_eq!(updates.load(Ordering::Relaxed), 7 * BLOCK + 3);
+                assert_eq!(starts.load(Ordering::Relaxed), 4);
+            }
+        }
+    }
+}

@@ -14,7 +14,7 @@ const JUMPS: usize = 300;
 const DEPTH: f64 = 1.0;
 
 /// Updates after which a jump that is not walked out is given up.
-const MOST_UPDATES: u32 = 100_000;
+const MOST_UPDATES: u32 = 2000;
 
 /// The worst of all jumps of one model.
 pub struct WorstRow {
