@@ -13,12 +13,12 @@ const RELATIVE: f64 = 1e-9;
 
 /// A proxy is on a triangle to within this part of a cell for every cell of distance, and at most so
 /// much of a cell.
-const BESIDE: f64 = 1e-14;
+const BESIDE: f64 = 2.0 * f64::EPSILON;
 const MOST_BESIDE: f64 = 1e-6;
 
 /// The way to the goal begins with so many times that: one that leads less aside from an edge than
 /// the inverse leads along it.
-const BEGINNING: f64 = 10.0;
+const BEGINNING: f64 = 2.0;
 
 /// Steps of the last place that heights are off, where all there is is high or steep.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;

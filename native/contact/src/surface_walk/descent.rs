@@ -32,7 +32,7 @@ impl<S: Sample> Walk<'_, '_, S> {
         match self.proxy.place {
             Place::Face(triangle) => self.descend_from_face(&triangle, has_landed, counters),
             Place::Edge { column, row, k } => {
-                self.descend_from_edge(LatticeEdge { column, row, k }, counters)
+                self.descend_from_edge(LatticeEdge::of_vertex(column, row, k), counters)
             }
             Place::Vertex { column, row } => self.descend_from_vertex(column, row, counters),
             Place::Space(_) => Descent::AtRest,
@@ -396,6 +396,7 @@ fn exit_share(crossed: f64, crossed_start: f64, foot: f64, start: f64, norm: f64
 
 impl LatticeEdge {
     /// Edge `k` (0 to 5) of a vertex, by the name that both its ends have for it.
+    #[inline(always)]
     fn of_vertex(column: i64, row: i64, k: usize) -> Self {
         if k < 3 {
             Self { column, row, k }

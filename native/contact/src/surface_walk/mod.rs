@@ -46,6 +46,10 @@ pub struct SurfaceWalk {
     is_at_rest: bool,
 }
 
+/// A circle around a vertex has six neighbours; where heights drown what is level, more than one may be
+/// level in turn.
+const MOST_STALLS: u32 = 12;
+
 const UNIT: Metric = Metric { column: 1.0, row: 1.0, up: 1.0 };
 
 impl SurfaceWalk {
@@ -83,8 +87,8 @@ impl SurfaceWalk {
         self.is_at_rest = counters.steps_left == 0;
     }
 
-    /// Lets the goal go no further than `longest` cells at a time. In the air that changes nothing:
-    /// there the proxy goes where the goal goes.
+    /// Lets the goal go no further than `longest` cells at a time. Once it is in the air, the proxy
+    /// follows the goal itself: the way there is straight, and a landing is one update.
     #[inline(never)]
     fn follow_in_sub_steps<S: Sample>(
         &mut self,
@@ -93,28 +97,21 @@ impl SurfaceWalk {
         longest: f64,
         counters: &mut Counters,
     ) {
-        // A flight that the budget cut short goes on from where the proxy is. On the surface, a hand
-        // that comes in from outside is led along the map's border.
-        let begins_on_surface = self.proxy.place.is_on_surface();
-        let from =
-            if begins_on_surface { search.field.nearest_on_map(from) } else { self.proxy.position };
-        let way = SubSteps::new(&from, &search.goal, longest);
-        let mut share = 0.0;
-        while counters.steps_left == 0 {
+        // A hand that comes in from outside is led along the map's border.
+        let from = search.field.nearest_on_map(from);
+        for goal in SubSteps::new(&from, &search.goal, longest) {
             if !self.proxy.place.is_on_surface() {
-                let mut walk = self.walk(search);
-                if !walk.fly_in(counters) {
-                    return;
-                }
-                share = way.share_at(&self.proxy.position).max(share);
+                break;
             }
-            let (goal, next_share) = way.after(share);
             self.followed = Some(goal);
             self.follow_one(&Search::new(search.field, search.weights, &goal), counters);
-            if next_share >= 1.0 {
+            if counters.steps_left > 0 {
                 return;
             }
-            share = next_share;
+        }
+        if !self.proxy.place.is_on_surface() {
+            self.followed = Some(search.goal);
+            self.follow_one(search, counters);
         }
     }
 
@@ -149,7 +146,7 @@ impl SurfaceWalk {
         search: &'walk Search<'field, S>,
     ) -> Walk<'walk, 'field, S> {
         let step_budget = self.step_budget;
-        Walk { search, proxy: &mut self.proxy, step_budget, nearest: f64::INFINITY }
+        Walk { search, proxy: &mut self.proxy, step_budget, nearest: f64::INFINITY, stalls: 0 }
     }
 }
 
@@ -191,6 +188,8 @@ struct Walk<'walk, 'field, S> {
     step_budget: u32,
     /// The smallest squared distance at which the descent came by a vertex.
     nearest: f64,
+    /// Vertices since then.
+    stalls: u32,
 }
 
 impl<S: Sample> Walk<'_, '_, S> {
@@ -282,11 +281,14 @@ impl<S: Sample> Walk<'_, '_, S> {
         cells_between(&self.proxy.position, &self.search.target)
     }
 
-    /// Notes a squared distance on the way; false where it has not fallen, and rounding leads the
-    /// walk in a circle.
+    /// Notes a squared distance on the way; false where it has not fallen for so many places that
+    /// rounding must be leading the walk in a circle.
     fn comes_nearer(&mut self, distance: f64) -> bool {
-        let nearer = distance < self.nearest;
-        self.nearest = distance;
-        nearer
+        if distance < self.nearest {
+            (self.nearest, self.stalls) = (distance, 0);
+        } else {
+            self.stalls += 1;
+        }
+        self.stalls <= MOST_STALLS
     }
 }

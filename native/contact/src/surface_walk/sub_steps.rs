@@ -2,7 +2,7 @@
 
 use surface::GridPoint;
 
-/// The straight way of a goal, in equal parts.
+/// The ends of equal parts of a straight way, the last of them the goal itself.
 pub(super) struct SubSteps {
     from: GridPoint,
     to: GridPoint,
@@ -10,6 +10,8 @@ pub(super) struct SubSteps {
     way: [f64; 3],
     /// Of the parts; at least 1.
     count: f64,
+    /// Of the part that ends next.
+    next: f64,
 }
 
 impl SubSteps {
@@ -18,35 +20,22 @@ impl SubSteps {
         let [columns, rows, up] = to.relative_to(from.column, from.row, from.elevation);
         let (east, south) = (columns - from.u, rows - from.v);
         let count = (east.hypot(south) / longest).ceil().max(1.0);
-        Self { from: *from, to: *to, way: [east, south, up], count }
+        Self { from: *from, to: *to, way: [east, south, up], count, next: 1.0 }
     }
+}
 
-    /// The share of the way that a point on it has behind it.
-    pub(super) fn share_at(&self, point: &GridPoint) -> f64 {
-        let [columns, rows, _] = point.relative_to(self.from.column, self.from.row, 0.0);
-        let [east, south, _] = self.way;
-        let (length, passed) = if east.abs() > south.abs() {
-            (east, columns - self.from.u)
-        } else {
-            (south, rows - self.from.v)
-        };
-        // A way straight down is not divided at all.
-        let share = passed / length;
-        if share > 0.0 && share < 1.0 { share } else { 0.0 }
-    }
+impl Iterator for SubSteps {
+    type Item = GridPoint;
 
-    /// The end of the part that begins at a share of the way or holds it, and that end's share. The
-    /// last end is the goal itself.
-    pub(super) fn after(&self, share: f64) -> (GridPoint, f64) {
-        // A little more, so that the end of a part is not taken for a place before it.
-        let number = (share * self.count * (1.0 + 4.0 * f64::EPSILON)).floor() + 1.0;
-        if !(number < self.count) {
-            return (self.to, 1.0);
+    fn next(&mut self) -> Option<GridPoint> {
+        let number = self.next;
+        self.next += 1.0;
+        if number >= self.count {
+            return (number == self.count).then_some(self.to);
         }
-        let share = number / self.count;
-        let [east, south, up] = self.way.map(|part| share * part);
+        let [east, south, up] = self.way.map(|part| number / self.count * part);
         let (u, v) = (self.from.u + east, self.from.v + south);
         let elevation = self.from.elevation + up;
-        (GridPoint::from_sample(self.from.column, self.from.row, u, v, elevation), share)
+        Some(GridPoint::from_sample(self.from.column, self.from.row, u, v, elevation))
     }
 }
