@@ -73,6 +73,14 @@ struct Passed<State> {
     goes_on: bool,
 }
 
+impl<State> Passed<State> {
+    /// The last joint passed, of this column.
+    #[inline(always)]
+    fn last(&self, column: i64) -> Option<Joint> {
+        (self.joints > 0).then(|| Joint { column, number: self.joints - 1 })
+    }
+}
+
 /// Where a line crosses a column of cells.
 struct Crossing {
     /// The cell's row.
@@ -157,23 +165,26 @@ impl<'a, S: Sample> Section<'a, S> {
                 None
             }
         };
-        let (mut reached, mut seen) = (None, 0);
-        let mut passed = Passed { state, joints: 0, at: 0.0, goes_on: true };
         let mut column = first;
-        while passed.goes_on && column <= last && column < most {
-            let before = passed.state;
-            passed = if column == first || column == last {
-                self.through_column(column, before, pass_at_ends)
-            } else {
-                self.through_column(column, before, &pass)
-            };
-            if passed.at > 0.0 {
-                reached = Some((Joint { column, number: passed.joints - 1 }, passed.state));
-            }
-            seen += passed.joints as u32 + u32::from(!passed.goes_on);
-            column += 1;
+        let mut before = None;
+        let mut passed = self.through_column(first, state, pass_at_ends);
+        let mut seen = passed.joints;
+        if passed.at <= 0.0 {
+            // None of them is ahead of the start.
+            passed.joints = 0;
         }
-        (reached, seen)
+        while passed.goes_on && column < last && column + 1 < most {
+            before = passed.last(column).or(before);
+            column += 1;
+            passed = if column < last {
+                self.through_column(column, passed.state, &pass)
+            } else {
+                self.through_column(column, passed.state, pass_at_ends)
+            };
+            seen += passed.joints;
+        }
+        let reached = passed.last(column).or(before).map(|joint| (joint, passed.state));
+        (reached, seen as u32 + u32::from(!passed.goes_on))
     }
 
     /// Follows the joints of a column.

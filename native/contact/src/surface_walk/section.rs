@@ -14,6 +14,11 @@ use surface::section::Section;
 /// costs as much as that.
 const SHORTEST: f64 = 3.0;
 
+/// The steepest piece, as rise for run in the workspace, that is followed. On gentle ground the section
+/// and steepest descent come to the same place; on steep ground they part, and the section strays
+/// from where the exact proxy goes.
+const STEEPEST: f64 = 0.25;
+
 /// Joints in a column of cells.
 const MOST_JOINTS: u32 = 4;
 
@@ -35,15 +40,18 @@ impl<S: Sample> Walk<'_, '_, S> {
         let way = self.search.weights.squared([columns - from.u, rows - from.v, 0.0]);
         // Squared lengths of a column of the way, against those of a metre of height.
         let ahead = way / (length * length) / self.search.up;
+        let gentle = STEEPEST * STEEPEST * ahead;
         let goal_elevation = self.search.target.elevation;
 
         let start = (0.0, from.elevation);
         let (last, shown) =
             section.follow(affordable, start, |(at, height), next_at, next_height| {
                 // The scalar product of the piece with the way from its end to the goal.
-                let level = (length - next_at) * (next_at - at) * ahead;
-                let upright = (next_height - height) * (goal_elevation - next_height);
-                (level + upright >= 0.0).then_some((next_at, next_height))
+                let (run, rise) = (next_at - at, next_height - height);
+                let level = (length - next_at) * run * ahead;
+                let falls = level + rise * (goal_elevation - next_height) >= 0.0;
+                let is_gentle = rise * rise <= gentle * (run * run);
+                (falls && is_gentle).then_some((next_at, next_height))
             });
         counters.faces += shown;
         if let Some((joint, (_, height))) = last
