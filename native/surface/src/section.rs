@@ -141,7 +141,7 @@ impl<'a, S: Sample> Section<'a, S> {
         self.length
     }
 
-    /// Follows its joints, through `most_columns` columns of cells at the most, as long as `pass`
+    /// Follows its joints, through `most_columns` (at least 1) columns of cells at the most, as long as `pass`
     /// gives a new state for the next one: from the state, columns from the start, and metres (NaN
     /// where there is no surface). Gives the last joint passed with its state, and how many joints
     /// were looked at.

@@ -36,6 +36,9 @@ impl<S: Sample> Walk<'_, '_, S> {
         // Half of the budget is left for what follows, or a section that leads nowhere would use up
         // every update.
         let affordable = self.step_budget.saturating_sub(counters.steps()) / 2 / MOST_JOINTS;
+        if affordable == 0 {
+            return;
+        }
         let length = section.length();
         let way = self.search.weights.squared([columns - from.u, rows - from.v, 0.0]);
         // Squared lengths of a column of the way, against those of a metre of height.
