@@ -4,6 +4,7 @@
 //! and stays on the surface; the spring between the two is what the hand feels (paper 2.2). One file
 //! for each model, behind [`ContactModel`]:
 //!
+//! * [`SurfaceWalk`]: exact steepest descent, the default;
 //! * [`ProxyGraph`]: the paper's model (section 3);
 //! * [`GodObject`] and [`GodObjectRelease`]: constraint planes, kept or released (section 2.3);
 //! * [`VirtualProxy`]: a sphere (section 2.2).

@@ -61,10 +61,3 @@ impl Place {
         }
     }
 }
-
-/// Cells over the ground from one point to the other along the longer axis, rounded up, at least 1.
-pub(crate) fn cells_between(from: &GridPoint, to: &GridPoint) -> u32 {
-    let [columns, rows, _] = to.relative_to(from.column, from.row, 0.0);
-    let longer = (columns - from.u).abs().max((rows - from.v).abs());
-    (longer.ceil() as u32).max(1)
-}

@@ -1,6 +1,5 @@
 //! What lies on a point proxy's way, known from the feature that it lies on.
 
-use crate::contact::Counters;
 use crate::proxy::{Place, Proxy};
 use surface::lattice::{along_edges, counterclockwise, face, sector};
 use surface::{GridPoint, Half, Heightfield, Sample, Triangle};
@@ -59,11 +58,6 @@ pub(crate) fn cells_between(from: &GridPoint, to: &GridPoint) -> u32 {
     let [columns, rows, _] = to.relative_to(from.column, from.row, 0.0);
     let longer = (columns - from.u).abs().max((rows - from.v).abs());
     (longer.ceil() as u32).max(1)
-}
-
-/// What counts against the step budget.
-pub(crate) fn steps(counters: &Counters) -> u32 {
-    counters.vertices + counters.faces + counters.cells
 }
 
 /// The triangle beside an edge toward (`u`, `v`); along the edge, one that exists if either does.

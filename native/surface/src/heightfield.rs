@@ -111,9 +111,12 @@ impl<'grid, S: Sample> Heightfield<'grid, S> {
 
     /// Elevations of the samples that begin `steps` bytes from `offset`, which is itself counted from
     /// the first sample; NaN unless all from `reach.0` to `reach.1` bytes from there lie inside the
-    /// bytes of the grid. Every step must be within the reach.
+    /// bytes of the grid.
+    ///
+    /// # Safety
+    /// Every step must be within the reach.
     #[inline(always)]
-    pub(crate) fn elevations_at<const N: usize>(
+    pub(crate) unsafe fn elevations_at<const N: usize>(
         &self,
         offset: i64,
         steps: [i64; N],
@@ -124,8 +127,8 @@ impl<'grid, S: Sample> Heightfield<'grid, S> {
         if lowest >= 0 && highest <= self.last_offset as i64 {
             for (elevation, step) in elevations.iter_mut().zip(steps) {
                 debug_assert!((reach.0..=reach.1).contains(&step));
-                // SAFETY: the sample begins between the first and the last one's offset, which were
-                // held against the length of the bytes.
+                // SAFETY: within the reach, the sample begins between the first and the last one's
+                // offset, which were held against the length of the bytes.
                 let sample = unsafe { S::read(self.first.offset((offset + step) as isize)) };
                 *elevation = self.converted(sample);
             }

@@ -263,7 +263,8 @@ impl<'a, S: Sample> Section<'a, S> {
         for (offset, (columns, rows)) in offsets.iter_mut().zip(steps) {
             *offset = columns * self.column_stride + rows * self.row_stride;
         }
-        self.field.elevations_at(offset, offsets, self.reach)
+        // SAFETY: the steps are those that the reach was made of.
+        unsafe { self.field.elevations_at(offset, offsets, self.reach) }
     }
 
     #[cold]

@@ -27,7 +27,7 @@ use crate::contact::{Contact, ContactModel, Counters, Feature};
 use crate::distance::Distance;
 use crate::planes::{Scale, project};
 use crate::proxy::{Place, Proxy};
-use crate::way::{ahead, cells_between, steps, target};
+use crate::way::{ahead, cells_between, target};
 use crate::weights::Weights;
 use constraints::{Constraints, Wall};
 use surface::ray::{RayEnd, Side, Start, cast};
@@ -71,7 +71,7 @@ impl GodObject {
     fn minimise<S: Sample>(&mut self, search: &Search<S>, counters: &mut Counters) -> Feature {
         let mut constraints = Constraints::none();
         while constraints.count < 3 {
-            if steps(counters) >= self.step_budget {
+            if counters.steps() >= self.step_budget {
                 counters.steps_left = cells_between(&self.proxy.position, &search.target);
                 break;
             }
@@ -109,7 +109,7 @@ impl GodObject {
             (None, Place::Space(side)) => Start::Space(side),
             (None, _) => Start::Space(Side::Unknown),
         };
-        let most_cells = self.step_budget - steps(counters);
+        let most_cells = self.step_budget - counters.steps();
         let ray = cast(search.field, &self.proxy.position, start, &end, most_cells);
         counters.cells += ray.cells;
         match ray.end {

@@ -29,7 +29,7 @@ mod constraint;
 use crate::contact::{Contact, ContactModel, Counters};
 use crate::distance::Distance;
 use crate::proxy::{Place, Proxy};
-use crate::way::{ahead, cells_between, steps, target};
+use crate::way::{ahead, cells_between, target};
 use crate::weights::Weights;
 use constraint::{Constraint, Exit, Line, Slide};
 use surface::lattice::{counterclockwise, face};
@@ -92,7 +92,7 @@ impl GodObjectRelease {
             (self.proxy, Distance::new(&self.proxy.position, &target, &search.weights));
         let mut idle_steps = 0;
         loop {
-            if steps(counters) >= self.step_budget {
+            if counters.steps() >= self.step_budget {
                 counters.steps_left = cells_between(&self.proxy.position, &target);
                 return;
             }
@@ -144,7 +144,7 @@ impl GodObjectRelease {
         counters: &mut Counters,
     ) -> Step {
         counters.collision_tests += 1;
-        let most_cells = self.step_budget - steps(counters);
+        let most_cells = self.step_budget - counters.steps();
         let ray = cast(search.field, &self.proxy.position, start, target, most_cells);
         counters.cells += ray.cells;
         match ray.end {
@@ -207,7 +207,7 @@ impl GodObjectRelease {
         counters: &mut Counters,
     ) -> bool {
         counters.collision_tests += 1;
-        let most_cells = CELLS_AHEAD.min(self.step_budget.saturating_sub(steps(counters)));
+        let most_cells = CELLS_AHEAD.min(self.step_budget.saturating_sub(counters.steps()));
         let start = Start::Surface(constraint.triangle());
         let ray = cast(search.field, &self.proxy.position, start, &slide.foot, most_cells);
         counters.cells += ray.cells;

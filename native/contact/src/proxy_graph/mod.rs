@@ -21,10 +21,11 @@ mod ring;
 mod visited;
 
 use crate::contact::{Contact, ContactModel, Counters};
-use crate::proxy::{Place, Proxy, cells_between};
+use crate::proxy::{Place, Proxy};
+use crate::way::{ahead, cells_between, target};
 use crate::weights::Weights;
 use ring::{Minimum, Ring};
-use surface::lattice::{along_edges, clockwise, counterclockwise, face};
+use surface::lattice::{clockwise, face};
 use surface::ray::{RayEnd, Side, Start, cast};
 use surface::{Grid, GridPoint, Heightfield, Metric, Sample, Triangle, on_heightfield};
 use visited::VisitedVertices;
@@ -95,13 +96,13 @@ impl ProxyGraph {
 
     /// Moves the proxy straight toward the goal until it meets a triangle (paper 3.2).
     fn free_space<S: Sample>(&mut self, search: &Search<S>, counters: &mut Counters) -> FreeSpace {
-        let target = search.target(&self.position);
+        let target = target(search.field, &self.position, &search.goal);
         if counters.steps() >= self.step_budget {
             counters.steps_left = cells_between(&self.position, &target);
             return FreeSpace::Ended;
         }
         counters.collision_tests += 1;
-        let start = match self.ahead(search, &target) {
+        let start = match ahead(search.field, &self.proxy(), &target) {
             Some((triangle, true)) => return FreeSpace::Blocked(triangle),
             Some((triangle, false)) => Start::Surface(triangle),
             None => match self.place {
@@ -136,39 +137,6 @@ impl ProxyGraph {
                 FreeSpace::Ended
             }
         }
-    }
-
-    /// For a proxy on the surface: the triangle that the way to `target` leads over, and whether
-    /// that triangle blocks it (paper 3.5: only one can). `None` in space.
-    fn ahead<S: Sample>(&self, search: &Search<S>, target: &GridPoint) -> Option<(Triangle, bool)> {
-        let triangle = match self.place {
-            Place::Space(_) => return None,
-            Place::Face(triangle) => triangle,
-            Place::Edge { column, row, k } => {
-                let clockwise_of = face(column, row, k);
-                let counterclockwise_of = face(column, row, counterclockwise(k));
-                let position = self.position.relative_to(column, row, 0.0);
-                let toward = target.relative_to(column, row, 0.0);
-                let (u, v) = (toward[0] - position[0], toward[1] - position[1]);
-                let (_, across) = along_edges(k, u, v);
-                let along = across == 0.0;
-                if across > 0.0 || (along && search.field.is_present(&clockwise_of)) {
-                    clockwise_of
-                } else {
-                    counterclockwise_of
-                }
-            }
-            Place::Vertex { column, row } => {
-                let ring = Ring::new(search.field, column, row);
-                let goal = target.relative_to(column, row, ring.elevation());
-                let k = ring.face_toward(goal[0], goal[1]);
-                return Some((face(column, row, k), ring.blocks(k, goal)));
-            }
-        };
-        let [u, v, _] = target.relative_to(triangle.column, triangle.row, 0.0);
-        let plane = search.field.plane_elevation(&triangle, u, v);
-        // Not blocked where the plane is NaN: the triangle is absent.
-        Some((triangle, target.elevation <= plane))
     }
 
     /// Steps from vertex to vertex, nearer and nearer to the goal (paper 3.2, figure 8).
@@ -282,15 +250,6 @@ impl ContactModel for ProxyGraph {
 }
 
 impl<S: Sample> Search<'_, S> {
-    /// What a proxy at `position` moves toward: on the map, the nearest place on the map.
-    fn target(&self, position: &GridPoint) -> GridPoint {
-        if self.field.is_on_map(position) {
-            self.field.nearest_on_map(&self.goal)
-        } else {
-            self.goal
-        }
-    }
-
     /// The corner of a triangle that is closest to the goal (paper 3.2).
     fn nearest_corner(&self, triangle: &Triangle) -> (i64, i64) {
         let target = self.field.nearest_on_map(&self.goal);

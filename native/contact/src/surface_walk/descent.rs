@@ -326,11 +326,11 @@ impl Face {
     #[inline(always)]
     fn exit(&self, shares: &[f64; 3]) -> Option<(usize, f64)> {
         let mut first: Option<(usize, f64)> = None;
-        for edge in 0..3 {
-            if !(self.foot[edge] > 0.0) {
-                let length = shares[edge] * self.norm - self.foot[edge];
+        for (edge, (share, foot)) in shares.iter().zip(self.foot).enumerate() {
+            if !(foot > 0.0) {
+                let length = share * self.norm - foot;
                 // A way along the edge leaves at its end.
-                let time = if length > 0.0 { shares[edge] * self.norm / length } else { 1.0 };
+                let time = if length > 0.0 { share * self.norm / length } else { 1.0 };
                 if first.is_none_or(|(_, earliest)| time < earliest) {
                     first = Some((edge, time));
                 }

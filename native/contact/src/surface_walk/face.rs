@@ -182,8 +182,9 @@ impl LatticeEdge {
     }
 }
 
-/// A share of a whole, freed of rounding.
+/// A share of a whole, freed of rounding; 0 for NaN.
 #[inline(always)]
+#[allow(clippy::manual_clamp, reason = "clamp would pass NaN on")]
 pub(super) fn share(number: f64) -> f64 {
     number.max(0.0).min(1.0)
 }

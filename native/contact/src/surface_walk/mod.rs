@@ -12,9 +12,16 @@
 //! proxy graph, where it does not hold). A goal that is still is answered with the same proxy, bit
 //! for bit, from the update on that has no steps left.
 //!
-//! * [`section`]: the long way, along the straight section toward the goal while that descends.
+//! * [`section`]: the long way, along the straight section toward the goal while that descends gently.
+//! * [`sub_steps`]: the goal led over its way in parts.
 //! * [`descent`]: steepest descent from face to face.
 //! * [`face`]: a triangle and the goal's foot on its plane.
+
+#![allow(
+    clippy::neg_cmp_op_on_partial_ord,
+    clippy::nonminimal_bool,
+    reason = "an absent triangle is NaN, and what is not held to be true of it is the point"
+)]
 
 mod descent;
 mod face;
@@ -23,7 +30,8 @@ mod section;
 mod sub_steps;
 
 use crate::contact::{Contact, ContactModel, Counters};
-use crate::proxy::{Place, Proxy, cells_between};
+use crate::proxy::{Place, Proxy};
+use crate::way::cells_between;
 use crate::weights::Weights;
 use descent::Descent;
 use search::Search;

@@ -39,7 +39,7 @@ mod surroundings;
 use crate::contact::{Contact, ContactModel, Counters, Feature};
 use crate::planes::Scale;
 use crate::proxy::{Place, Proxy};
-use crate::way::{cells_between, steps, target};
+use crate::way::{cells_between, target};
 use crate::weights::Weights;
 use polyhedron::closest;
 use search::{Search, Step};
@@ -270,7 +270,7 @@ impl VirtualProxy {
     fn survey<S: Sample>(&mut self, search: &Search<S>, counters: &mut Counters) -> Option<Survey> {
         let Search { field, scale, radius, .. } = search;
         let shadow = Shadow::new(&self.centre, *radius, scale);
-        if steps(counters) + shadow.cells() + CELLS_OF_A_STEP > self.step_budget {
+        if counters.steps() + shadow.cells() + CELLS_OF_A_STEP > self.step_budget {
             return None;
         }
         counters.cells += shadow.cells();
