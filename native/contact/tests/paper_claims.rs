@@ -5,7 +5,7 @@
 mod common;
 
 use common::*;
-use contact::{ContactModel, Model};
+use contact::Model;
 use surface::GridPoint;
 
 const BUDGET: u32 = 4096;
