@@ -102,7 +102,7 @@ impl ProxyGraph {
             return FreeSpace::Ended;
         }
         counters.collision_tests += 1;
-        let start = match ahead(search.field, &self.proxy(), &target) {
+        let start = match self.ahead(search, &target) {
             Some((triangle, true)) => return FreeSpace::Blocked(triangle),
             Some((triangle, false)) => Start::Surface(triangle),
             None => match self.place {
@@ -137,6 +137,19 @@ impl ProxyGraph {
                 FreeSpace::Ended
             }
         }
+    }
+
+    /// For a proxy on the surface: the triangle that the way to `target` leads over, and whether
+    /// that triangle blocks it. At a vertex its ring is asked, as constrained minimisation asks it:
+    /// two answers that differ by rounding would send the proxy to and fro.
+    fn ahead<S: Sample>(&self, search: &Search<S>, target: &GridPoint) -> Option<(Triangle, bool)> {
+        let Place::Vertex { column, row } = self.place else {
+            return ahead(search.field, &self.proxy(), target);
+        };
+        let ring = Ring::new(search.field, column, row);
+        let goal = target.relative_to(column, row, ring.elevation());
+        let k = ring.face_toward(goal[0], goal[1]);
+        Some((face(column, row, k), ring.blocks(k, goal)))
     }
 
     /// Steps from vertex to vertex, nearer and nearer to the goal (paper 3.2, figure 8).
