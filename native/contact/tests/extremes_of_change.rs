@@ -3,7 +3,7 @@
 
 mod common;
 
-use common::models::{all_models, is_point};
+use common::models::{all_models, is_exact, is_point};
 use common::random_hand::{Ground, RandomHand};
 use common::trial::{MOST_GROWTH, Trial};
 use common::*;
@@ -93,8 +93,9 @@ proptest! {
         }
     }
 
-    /// With small budgets everything takes longer, and comes to an end all the same. (With less than one
-    /// look around, the proxy graph's circles outlive its updates: it notices them within one only.)
+    /// Small budgets are kept. Models that come nearer in every update also come to an end; the others may
+    /// not: the proxy graph notices its circles within one update only, and a god-object that releases
+    /// nothing finds its constraints anew in each.
     #[test]
     fn small_budgets_are_kept_and_come_to_an_end(
         seed in 0u64..1_000_000,
@@ -107,10 +108,11 @@ proptest! {
         for model in all_models(&SQUARE) {
             let mut hand = RandomHand::new(&grid, speed, 1.0 + slope, seed);
             let budget = if model == Model::ProxyGraph { budget.max(1024) } else { budget };
+            let comes_nearer = is_exact(&*model.build(budget)) || model == Model::GodObjectRelease;
             let mut trial = Trial::over_the_middle(&grid, SQUARE, &model, budget);
             for step in 0..40 {
                 let goal = hand.next(&grid, &SQUARE);
-                if step % 2 == 0 {
+                if step % 2 == 0 && comes_nearer {
                     trial.rest(&goal).unwrap();
                 } else {
                     // The goal moves on before the way is gone.
