@@ -136,6 +136,26 @@ impl<'grid, S: Sample> Heightfield<'grid, S> {
         elevations
     }
 
+    /// Bytes from the first sample to another, or to where it would be.
+    #[inline(always)]
+    pub(crate) fn offset(&self, column: i64, row: i64) -> i64 {
+        row * self.row_stride as i64 + column * S::BYTES as i64
+    }
+
+    /// Asks for the cache line that lies so many bytes from the first sample.
+    #[inline(always)]
+    pub(crate) fn prefetch(&self, offset: i64) {
+        let address = self.first.wrapping_offset(offset as isize);
+        #[cfg(target_arch = "x86_64")]
+        // SAFETY: asking for a line reads nothing and never faults, wherever the address leads.
+        unsafe {
+            use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
+            _mm_prefetch::<_MM_HINT_T0>(address.cast());
+        }
+        #[cfg(not(target_arch = "x86_64"))]
+        let _ = address;
+    }
+
     /// Bytes from one row to the next.
     pub(crate) fn row_stride(&self) -> i64 {
         self.row_stride as i64

@@ -17,6 +17,7 @@ pub mod lattice;
 mod layout;
 mod metric;
 mod point;
+mod prefetch;
 mod range;
 pub mod ray;
 mod sample;

@@ -346,40 +346,27 @@ impl Face {
     /// The same for a way that begins on an edge and leads into the face.
     #[inline(always)]
     fn exit_from_edge(&self, edge: usize, along: f64) -> Option<(usize, f64)> {
-        let [a, b, c] = self.foot;
+        let (first, second) = ENDS[edge];
         let back = 1.0 - along;
-        match edge {
-            // From BC.
-            0 => match through_first(b, back, c, along) {
-                None => None,
-                Some(true) => Some((1, exit_share(b, back, a, 0.0, self.norm))),
-                Some(false) => Some((2, exit_share(c, along, a, 0.0, self.norm))),
-            },
-            // From the diagonal.
-            1 => match through_first(a, back, c, along) {
-                None => None,
-                Some(true) => Some((0, exit_share(a, back, b, 0.0, self.norm))),
-                Some(false) => Some((2, exit_share(c, along, a, back, self.norm))),
-            },
-            // From AB.
-            _ => match through_first(a, back, b, along) {
-                None => None,
-                Some(true) => Some((0, exit_share(a, back, b, along, self.norm))),
-                Some(false) => Some((1, exit_share(b, along, a, back, self.norm))),
-            },
+        let (at_first, at_second) = (self.foot[first], self.foot[second]);
+        if at_first > 0.0 && at_second > 0.0 {
+            return None;
         }
+        let through_first =
+            at_second > 0.0 || (at_first <= 0.0 && along * at_first < back * at_second);
+        let exit = if through_first { first } else { second };
+        let crossed = if through_first { at_first } else { at_second };
+        let crossed_start = if through_first { back } else { along };
+        let corner = ENDS[exit].0;
+        let other_start = if through_first { along } else { back };
+        let start = if corner == edge { 0.0 } else { other_start };
+        let foot = self.foot[corner];
+        Some((exit, exit_share(crossed, crossed_start, foot, start, self.norm)))
     }
 }
 
-/// Of the two edges that a way can leave through: whether it is the first; `None` where it is neither.
-/// Given are, for each edge, the goal's foot beyond it (negative) or within, and the start within it.
-#[inline(always)]
-fn through_first(first: f64, first_start: f64, second: f64, second_start: f64) -> Option<bool> {
-    if first > 0.0 && second > 0.0 {
-        return None;
-    }
-    Some(second > 0.0 || (first <= 0.0 && second_start * first < first_start * second))
-}
+/// The corners that the edge opposite a corner leads from and to.
+const ENDS: [(usize, usize); 3] = [(1, 2), (0, 2), (0, 1)];
 
 /// The share of a corner at the point where a way leaves a face: `crossed` and `crossed_start` are
 /// foot and start within the edge that is crossed, `foot` and `start` those of the corner.

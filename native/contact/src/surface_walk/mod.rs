@@ -16,6 +16,7 @@
 //! * [`sub_steps`]: the goal led over its way in parts.
 //! * [`descent`]: steepest descent from face to face.
 //! * [`face`]: a triangle and the goal's foot on its plane.
+//! * [`foresight`]: samples asked for an update before they are needed.
 
 #![allow(
     clippy::neg_cmp_op_on_partial_ord,
@@ -25,6 +26,7 @@
 
 mod descent;
 mod face;
+mod foresight;
 mod search;
 mod section;
 mod sub_steps;
@@ -34,6 +36,7 @@ use crate::proxy::{Place, Proxy};
 use crate::way::cells_between;
 use crate::weights::Weights;
 use descent::Descent;
+use foresight::Foresight;
 use search::Search;
 use sub_steps::SubSteps;
 use surface::ray::{RayEnd, Start, cast};
@@ -50,6 +53,7 @@ pub struct SurfaceWalk {
     weights: Option<Weights>,
     /// The goal that the proxy follows.
     followed: Option<GridPoint>,
+    foresight: Foresight,
     /// It is at rest with the goal that it follows.
     is_at_rest: bool,
 }
@@ -72,6 +76,7 @@ impl SurfaceWalk {
             metric: UNIT,
             weights: Some(Weights::new(&UNIT)),
             followed: None,
+            foresight: Foresight::default(),
             is_at_rest: false,
         }
     }
@@ -84,6 +89,9 @@ impl SurfaceWalk {
         on_heightfield!(grid, field => {
             let search = Search::new(&field, weights, goal);
             self.followed = Some(*goal);
+            if let Some(before) = &followed {
+                self.foresight.look(&search, &self.proxy.position, before);
+            }
             match (self.sub_step, followed) {
                 _ if is_still => self.stay_or_follow(&search, counters),
                 (Some(longest), Some(from)) => {

@@ -29,6 +29,13 @@ impl<'a, S: Sample> Search<'a, S> {
         }
     }
 
+    /// Columns and rows from a point to the target.
+    #[inline(always)]
+    pub(super) fn way_from(&self, point: &GridPoint) -> [f64; 2] {
+        let [columns, rows, _] = self.target.relative_to(point.column, point.row, 0.0);
+        [columns - point.u, rows - point.v]
+    }
+
     /// From a point to the target, in cell widths.
     pub(super) fn squared_distance(&self, point: &GridPoint) -> f64 {
         let [columns, rows, up] = self.target.relative_to(point.column, point.row, point.elevation);
