@@ -23,6 +23,11 @@ pub fn limit(name: &'static str, value: f64) -> Result<(), ParameterError> {
     require(value >= 0.0, name, value, "zero or more")
 }
 
+/// The value must be above zero; infinity says that nothing limits it.
+pub fn positive_or_infinite(name: &'static str, value: f64) -> Result<(), ParameterError> {
+    require(value > 0.0, name, value, "a number above zero")
+}
+
 /// The value must be finite.
 pub fn finite(name: &'static str, value: f64) -> Result<(), ParameterError> {
     require(value.is_finite(), name, value, "a finite number")

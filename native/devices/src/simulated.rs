@@ -148,17 +148,17 @@ impl Motion {
 impl Device for SimulatedDevice {
     fn capabilities(&self) -> Capabilities {
         Capabilities {
-            workspace: self.hand.workspace,
             max_force: self.hand.max_force,
             // A sampled spring K adds energy unless K < 2 b / T (Colgate and Schenkel, "Passivity
             // of a class of sampled-data systems", 1994); half of that leaves room for missed ticks.
             max_stiffness: self.hand.damping / NOMINAL_PERIOD,
-            delay_ticks: 0,
+            // A muscle never lets go, so there is no speed at which the handle has slipped.
+            ..Capabilities::unlimited(self.hand.workspace)
         }
     }
 
     fn read(&mut self, _time: f64) -> Result<Pose, DeviceError> {
-        Ok(Pose { position: self.position })
+        Ok(Pose::at(self.position))
     }
 
     fn write(&mut self, force: Force, dt: f64) -> Result<(), DeviceError> {

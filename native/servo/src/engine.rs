@@ -84,6 +84,11 @@ impl Engine {
         self.ports.lateness.record(nanoseconds);
     }
 
+    /// The servo, for what is set while the engine stands.
+    pub(crate) fn servo(&mut self) -> &mut Servo {
+        &mut self.servo
+    }
+
     /// Does what was asked, in order. While no model can be retired, commands wait.
     pub(crate) fn apply_commands(&mut self) {
         // Counted, so that no sender can keep a tick from beginning.
@@ -133,8 +138,8 @@ impl Engine {
 
     fn publish(&mut self) {
         let totals =
-            Totals { missed_ticks: self.missed, dropped: self.dropped, ..*self.servo.totals() };
-        let state = State::new(self.servo.latest(), self.servo.model());
+            Totals { missed_ticks: self.missed, dropped: self.dropped, ..self.servo.totals() };
+        let state = State::new(self.servo.latest(), self.servo.model(), self.servo.held());
         self.ports.snapshots.write(Snapshot { state, totals });
     }
 
@@ -151,7 +156,7 @@ fn nanoseconds_since(begin: Instant) -> u64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Frame, Window};
+    use crate::{Frame, Settings, Window};
     use contact::{Model, ProxyGraph};
     use devices::{Hand, SimulatedDevice};
     use rtrb::RingBuffer;
@@ -165,13 +170,13 @@ mod tests {
         let frame = Frame::new(window, 0.16, &layout).unwrap();
         let grid = Arc::new(Grid::from_vec(vec![0; 32], layout).unwrap());
         let device = Box::new(SimulatedDevice::new(Hand::default()).unwrap());
-        Servo::new(device, Box::new(ProxyGraph::new(1)), grid, frame, 500.0, 8.0).unwrap()
+        Servo::new(device, Box::new(ProxyGraph::new(1)), grid, frame, &Settings::default()).unwrap()
     }
 
     #[test]
     fn where_no_model_can_be_retired_commands_wait_in_their_order() {
         let servo = servo();
-        let state = State::new(servo.latest(), servo.model());
+        let state = State::new(servo.latest(), servo.model(), None);
         let (mut commands, commands_taken) = RingBuffer::new(8);
         let (retired_given, mut retired) = RingBuffer::new(1);
         let ports = Ports {

@@ -14,6 +14,7 @@ mod frame;
 mod histogram;
 mod live;
 mod record;
+mod safety;
 mod servo;
 mod session;
 mod state;
@@ -24,8 +25,14 @@ pub use fault::Fault;
 pub use frame::Frame;
 pub use histogram::{Distribution, Histogram};
 pub use record::TickRecord;
+#[cfg(feature = "test-hooks")]
+pub use safety::Stage;
+pub use safety::{Held, Limits, STALE_AFTER, Trips, Warning};
 pub use servo::Servo;
 pub use session::{Session, SessionError, Settings};
 pub use state::{Mode, State};
 pub use statistics::{Statistics, Totals};
 pub use window::Window;
+
+/// Whether a stage of the safety chain can be switched off, for tests: never in what is shipped.
+pub const HAS_TEST_HOOKS: bool = cfg!(feature = "test-hooks");

@@ -12,7 +12,10 @@ use triple_buffer::{Output, triple_buffer};
 use crate::command::Command;
 use crate::engine::{COMMANDS, Engine, Ports, RETIRED, Snapshot, TICKS_PER_SECOND};
 use crate::live::Live;
-use crate::{Fault, Frame, Histogram, Servo, State, Statistics, TickRecord, Totals, Window};
+use crate::safety::Heartbeat;
+use crate::{
+    Fault, Frame, Histogram, Limits, Servo, State, Statistics, TickRecord, Totals, Warning, Window,
+};
 
 /// The longest ring: an hour of ticks takes half a gigabyte.
 const LONGEST_RING_SECONDS: f64 = 3600.0;
@@ -26,12 +29,29 @@ pub struct Settings {
     pub max_force: f64,
     /// Seconds of ticks kept for [`Session::drain`], up to an hour.
     pub ring_seconds: f64,
+    /// The fastest change of the force, N/s. The device's own limit holds too, and at any rate the
+    /// force takes 5 ms from nothing to the largest one.
+    pub max_slew: f64,
+    /// The fastest hand, m/s, beyond which the handle counts as slipped; the device's own limit
+    /// holds too.
+    pub max_speed: f64,
+    /// Seconds without a [`Session::heartbeat`] (or a look at its state) after which a live session
+    /// gives no force; `None` where nobody needs to look. [`STALE_AFTER`](crate::STALE_AFTER) for
+    /// hosts that draw.
+    pub stale_after: Option<f64>,
 }
 
 impl Default for Settings {
     /// Stable on every device known so far, and gentle.
     fn default() -> Self {
-        Settings { stiffness: 500.0, max_force: 8.0, ring_seconds: 60.0 }
+        Settings {
+            stiffness: 500.0,
+            max_force: 8.0,
+            ring_seconds: 60.0,
+            max_slew: f64::INFINITY,
+            max_speed: f64::INFINITY,
+            stale_after: None,
+        }
     }
 }
 
@@ -42,6 +62,11 @@ impl Settings {
         check::limit("stiffness", self.stiffness)?;
         check::finite("max_force", self.max_force)?;
         check::limit("max_force", self.max_force)?;
+        check::limit("max_slew", self.max_slew)?;
+        check::positive_or_infinite("max_speed", self.max_speed)?;
+        if let Some(seconds) = self.stale_after {
+            check::positive("stale_after", seconds)?;
+        }
         ring_capacity(self.ring_seconds).map(|_| ())
     }
 }
@@ -90,8 +115,10 @@ pub struct Session {
     model: &'static str,
     /// Metres.
     workspace_width: f64,
-    stiffness: f64,
-    max_force: f64,
+    limits: Limits,
+    /// Seconds.
+    stale_after: Option<f64>,
+    heartbeat: Arc<Heartbeat>,
     commands: Producer<Command>,
     retired: Consumer<Box<dyn ContactModel>>,
     records: Consumer<TickRecord>,
@@ -116,18 +143,11 @@ impl Session {
         capabilities.validate()?;
         let frame = Frame::new(window, capabilities.workspace[0], grid.layout())?;
         let name = model.name();
-        let servo = Servo::new(
-            device,
-            model,
-            Arc::clone(&grid),
-            frame,
-            settings.stiffness,
-            settings.max_force,
-        )?;
+        let servo = Servo::new(device, model, Arc::clone(&grid), frame, &settings)?;
 
-        let (stiffness, max_force) = (servo.stiffness(), servo.max_force());
+        let limits = *servo.limits();
         let before_the_first_tick =
-            Snapshot { state: State::new(servo.latest(), name), totals: Totals::default() };
+            Snapshot { state: State::new(servo.latest(), name, None), totals: Totals::default() };
         let (commands, commands_taken) = RingBuffer::new(COMMANDS);
         let (retired_given, retired) = RingBuffer::new(RETIRED);
         let (records_given, records) = RingBuffer::new(capacity);
@@ -148,8 +168,9 @@ impl Session {
             window,
             model: name,
             workspace_width: capabilities.workspace[0],
-            stiffness,
-            max_force,
+            limits,
+            stale_after: settings.stale_after,
+            heartbeat: Arc::default(),
             commands,
             retired,
             records,
@@ -164,16 +185,19 @@ impl Session {
     pub fn start(&mut self) -> Result<(), SessionError> {
         self.refuse_after_fault()?;
         match std::mem::replace(&mut self.place, Place::Lost) {
-            Place::Here(engine) => match Live::start(engine, Arc::clone(&self.fault)) {
-                Ok(live) => {
-                    self.place = Place::Live(live);
-                    Ok(())
+            Place::Here(mut engine) => {
+                engine.servo().watch_host(self.watched_heartbeat());
+                match Live::start(engine, Arc::clone(&self.fault)) {
+                    Ok(live) => {
+                        self.place = Place::Live(live);
+                        Ok(())
+                    }
+                    Err((error, engine)) => {
+                        self.place = Place::Here(engine);
+                        Err(SessionError::Thread(error))
+                    }
                 }
-                Err((error, engine)) => {
-                    self.place = Place::Here(engine);
-                    Err(SessionError::Thread(error))
-                }
-            },
+            }
             elsewhere => {
                 self.place = elsewhere;
                 Err(SessionError::AlreadyRunning)
@@ -189,6 +213,8 @@ impl Session {
                     // What a full ring kept waiting is done before what is asked from now on.
                     self.free_retired();
                     engine.guard(Engine::apply_commands);
+                    // Steps are done at the host's own pace, so there is no host to wait for.
+                    engine.servo().watch_host(None);
                     self.place = Place::Here(engine);
                 }
                 None => {
@@ -271,6 +297,7 @@ impl Session {
     /// The newest tick. Also looks whether the grid's file has been cut, which the servo cannot.
     pub fn state(&mut self) -> State {
         self.free_retired();
+        self.heartbeat.beat();
         self.grid.look_at_file();
         self.snapshots.read().state
     }
@@ -295,14 +322,23 @@ impl Session {
         drained
     }
 
-    /// Of the spring, N/m, after the device's limit.
-    pub fn stiffness(&self) -> f64 {
-        self.stiffness
+    /// What holds, after the device's limits.
+    pub fn limits(&self) -> &Limits {
+        &self.limits
     }
 
-    /// The largest force that is sent, N, after the device's limit.
-    pub fn max_force(&self) -> f64 {
-        self.max_force
+    /// What the safety chain did so far, in words for the person, the gravest first.
+    pub fn warnings(&mut self) -> Vec<Warning> {
+        Warning::all(&self.limits, &self.snapshots.read().totals)
+    }
+
+    /// Whoever needs to look at a live session is still there: see [`Settings::stale_after`].
+    pub fn heartbeat(&self) {
+        self.heartbeat.beat();
+    }
+
+    fn watched_heartbeat(&self) -> Option<(Arc<Heartbeat>, f64)> {
+        self.stale_after.map(|seconds| (Arc::clone(&self.heartbeat), seconds))
     }
 
     fn refuse_after_fault(&self) -> Result<(), SessionError> {
@@ -332,6 +368,32 @@ impl Session {
                 _ => Ok(()),
             },
             Place::Lost => Ok(()),
+        }
+    }
+}
+
+/// For tests that make devices and hosts fail in steps. None of it does anything to a live session.
+#[cfg(feature = "test-hooks")]
+impl Session {
+    /// Takes a stage out of the safety chain.
+    pub fn switch_off(&mut self, stage: crate::Stage) {
+        if let Place::Here(engine) = &mut self.place {
+            engine.servo().switch_off(stage);
+        }
+    }
+
+    /// Lets deadlines pass without a tick, as a device or a machine that stalls does.
+    pub fn stall(&mut self, ticks: u64) {
+        if let Place::Here(engine) = &mut self.place {
+            engine.miss(ticks);
+        }
+    }
+
+    /// Has steps watch for the host's heartbeat as a live session does.
+    pub fn watch_host_in_steps(&mut self) {
+        let heartbeat = self.watched_heartbeat();
+        if let Place::Here(engine) = &mut self.place {
+            engine.servo().watch_host(heartbeat);
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Counts and times of a session.
 
-use crate::Distribution;
+use crate::{Distribution, Trips};
 
 /// Counts since the session was made.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -27,14 +27,12 @@ pub struct Totals {
     pub cycles_ended: u64,
     /// Updates that ended with steps left over.
     pub unfinished: u64,
-    /// Ticks whose pose or force was not finite: answered with zero force.
-    pub not_finite: u64,
-    /// Ticks whose force was cut to the limit.
-    pub clamped: u64,
     /// Ticks that found the ring full; they are lost to recordings.
     pub dropped: u64,
     /// Cells that the goal travelled over the ground, summed over the ticks.
     pub goal_cells: f64,
+    /// How often each stage of the safety chain has acted.
+    pub trips: Trips,
 }
 
 /// Counts and times since the session was made.

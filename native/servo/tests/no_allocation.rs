@@ -114,7 +114,7 @@ impl Device for Telltale {
     fn read(&mut self, _time: f64) -> Result<Pose, DeviceError> {
         self.calls.store(CALLS.get(), Ordering::Release);
         let read = self.reads.fetch_add(1, Ordering::AcqRel);
-        Ok(Pose { position: [0.0, 0.0, if read == 0 { 0.01 } else { -0.01 }] })
+        Ok(Pose::at([0.0, 0.0, if read == 0 { 0.01 } else { -0.01 }]))
     }
 
     fn write(&mut self, _force: Force, _dt: f64) -> Result<(), DeviceError> {

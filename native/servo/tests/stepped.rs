@@ -131,9 +131,9 @@ fn forces_are_cut_to_the_lower_limit() {
         let mut session =
             Session::new(flat_ground(), Box::new(device), proxy_graph(), window(), settings)
                 .unwrap();
-        assert_eq!(session.max_force(), expected);
-        session.step(10).unwrap();
-        assert_eq!(session.statistics().totals.clamped, 9, "all but the tick in the air");
+        assert_eq!(session.limits().max_force, expected);
+        session.step(60).unwrap();
+        assert_eq!(session.statistics().totals.trips.clamped, 59, "all but the tick in the air");
         assert!((log.last_force()[2] - expected).abs() < 1e-12);
     }
 }
@@ -145,9 +145,11 @@ fn the_stiffness_is_cut_to_what_the_device_can_show() {
     device.capabilities.max_stiffness = 300.0;
     device.capabilities.delay_ticks = 1;
     let mut session = session(device, proxy_graph());
-    assert_eq!(session.stiffness(), 100.0);
-    session.step(2).unwrap();
+    assert_eq!(session.limits().stiffness, 100.0);
+    session.step(60).unwrap();
     assert!((log.last_force()[2] - 1.0).abs() < 1e-9, "1 cm at 100 N/m");
+    let told: Vec<String> = session.warnings().iter().map(ToString::to_string).collect();
+    assert!(told[0].contains("from 500 to 100 N/m"), "{told:?}");
 }
 
 #[test]
@@ -169,7 +171,7 @@ fn a_pose_that_is_not_a_number_gives_zero_force_and_is_counted() {
         assert_eq!(record.force[2] > 0.0, touching, "tick {read}");
         assert!(record.hand.iter().chain(&record.goal).all(|number| number.is_finite()));
     }
-    assert_eq!(session.statistics().totals.not_finite, 2);
+    assert_eq!(session.statistics().totals.trips.not_finite, 2);
     assert_eq!(session.fault(), None);
 }
 
@@ -184,7 +186,7 @@ fn a_proxy_that_is_not_a_number_gives_zero_force_and_is_counted() {
     let log = Log::default();
     let mut session = session(Watched::pressing(&log), Box::new(Told(lost_once)));
     session.step(3).unwrap();
-    assert_eq!(session.statistics().totals.not_finite, 1);
+    assert_eq!(session.statistics().totals.trips.not_finite, 1);
     assert_eq!(log.forces()[1], [0.0; 3]);
     assert!(log.forces()[2][2] > 0.0);
     assert!(session.drain()[1].proxy.iter().all(|metres| metres.is_finite()));
@@ -205,7 +207,7 @@ fn a_force_beyond_all_numbers_is_zero() {
     .unwrap();
     session.step(2).unwrap();
     assert_eq!(log.last_force(), [0.0; 3]);
-    assert_eq!(session.statistics().totals.not_finite, 2);
+    assert_eq!(session.statistics().totals.trips.not_finite, 2);
 }
 
 #[test]

@@ -113,10 +113,8 @@ impl Watched {
             answer: Box::new(answer),
             reads: 0,
             capabilities: Capabilities {
-                workspace: [0.16, 0.12, 0.12],
                 max_force: 8.0,
-                max_stiffness: f64::INFINITY,
-                delay_ticks: 0,
+                ..Capabilities::unlimited([0.16, 0.12, 0.12])
             },
         }
     }
@@ -136,7 +134,7 @@ impl Device for Watched {
         self.log.add(Seen::Read(time));
         let read = self.reads;
         self.reads += 1;
-        (self.answer)(read).map(|position| Pose { position })
+        (self.answer)(read).map(Pose::at)
     }
 
     fn write(&mut self, force: Force, dt: f64) -> Result<(), DeviceError> {
