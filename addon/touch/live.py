@@ -33,6 +33,14 @@ class Readout:
     """Newtons."""
     ticks: int
     missed_ticks: int
+    load: float
+    """Share of each millisecond that the servo takes, mean."""
+    worst_load: float
+    """The same, exceeded in one tick of a thousand."""
+    late_us: float
+    """Microseconds that the servo woke up late, exceeded in one tick of a hundred."""
+    priority: str
+    """How the system schedules the servo, in words."""
 
 
 @dataclass(frozen=True)

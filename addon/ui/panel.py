@@ -123,8 +123,20 @@ def readout_lines(readout: Readout, exaggeration: float) -> list[tuple[str, str]
         ("Force", f"{readout.force:.2f} N"),
         ("Missed ticks", f"{readout.missed_ticks:,} of {readout.ticks + readout.missed_ticks:,}"),
     ]
+    lines += servo_lines(readout)
     lines[2:2] = _place_lines(readout, exaggeration) if readout.on_map else [("Place", "Beside the map")]
     return lines
+
+
+def servo_lines(readout: Readout) -> list[tuple[str, str]]:
+    """Put into words how the servo keeps its time."""
+    priority, _colon, reason = readout.priority.partition(": ")
+    lines = [
+        ("Servo load", f"{readout.load:.1%} of each ms ({readout.worst_load:.1%})"),
+        ("Lateness", f"{readout.late_us:,.0f} us (99%)"),
+        ("Priority", priority.title()),
+    ]
+    return [*lines, ("", reason)] if reason else lines
 
 
 def _place_lines(readout: Readout, exaggeration: float) -> list[tuple[str, str]]:

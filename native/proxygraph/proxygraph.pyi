@@ -323,7 +323,10 @@ class State:
         """Ticks done since the session was made."""
     @property
     def time(self) -> float:
-        """Seconds on the session's clock, which stands while the session does: (ticks + missed ticks) / 1000."""
+        """Seconds on the session's clock, which stands while the session does.
+
+        A step takes a thousandth; live, it is measured where the tick began.
+        """
     @property
     def hand(self) -> Vector:
         """Workspace frame, metres."""
@@ -415,6 +418,11 @@ class Statistics:
 
         Raises ValueError for a quantile outside 0 to 1.
         """
+    @property
+    def mean_load(self) -> float:
+        """The share of a millisecond that live ticks take, from wake-up to sleep, mean; 0 before the first."""
+    def load(self, quantile: float) -> float:
+        """The same as a quantile."""
     def late_us(self, quantile: float) -> float:
         """Microseconds from deadline to wake-up, live ticks only. Quantiles as above."""
 
@@ -452,6 +460,7 @@ class Session:
         stale_after: seconds; a session that runs live gives no force while neither ``state`` nor ``heartbeat`` is
             called for longer than this. For programs that draw what is felt, and may stall; ``None``, for scripts
             that start a session and sleep, never waits for anyone. Steps wait for nobody either.
+        real_time: whether a live session asks the system for real-time priority; see ``priority``.
         model, step_budget, sub_step: see ContactModel.
         radius: of ``virtual_proxy`` only: of its sphere, workspace metres; ``None`` is 1 mm.
 
@@ -472,6 +481,7 @@ class Session:
         max_slew: float | None = None,
         max_speed: float | None = None,
         stale_after: float | None = None,
+        real_time: bool = True,
         model: str = "surface_walk",
         step_budget: int | None = None,
         sub_step: float | None = None,
@@ -503,6 +513,19 @@ class Session:
     @property
     def max_speed(self) -> float:
         """The fastest hand, m/s, after the device's limit; infinite where nothing limits it."""
+    @property
+    def priority(self) -> str:
+        """How the system schedules the live thread: ``real-time``, or ``normal``, and in the system's words why.
+
+        Linux grants real-time priority to root, to CAP_SYS_NICE, or up to a limit (``ulimit -r``).
+        """
+    @property
+    def locked_memory(self) -> tuple[int, int]:
+        """Bytes that the system keeps in memory for the live thread, and bytes that it refused to.
+
+        The thread's stack, state and rings, never the grid. Beyond ``ulimit -l`` it refuses; ticks may then meet
+        a page that was taken away.
+        """
     def warnings(self) -> list[str]:
         """What the safety chain did so far, why, and what to do about it: a sentence each, the gravest first."""
     def heartbeat(self) -> None:

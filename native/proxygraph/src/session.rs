@@ -91,11 +91,11 @@ impl Session {
 impl Session {
     #[new]
     #[pyo3(signature = (grid, device, window, *, stiffness=500.0, max_force=8.0, ring_seconds=60.0,
-        max_slew=None, max_speed=None, stale_after=None,
+        max_slew=None, max_speed=None, stale_after=None, real_time=true,
         model=DEFAULT, step_budget=None, sub_step=None, radius=None),
         text_signature = "(grid, device, window, *, stiffness=500.0, max_force=8.0, \
-        ring_seconds=60.0, max_slew=None, max_speed=None, stale_after=None, model='surface_walk', \
-        step_budget=None, sub_step=None, radius=None)")]
+        ring_seconds=60.0, max_slew=None, max_speed=None, stale_after=None, \
+        real_time=True, model='surface_walk', step_budget=None, sub_step=None, radius=None)")]
     #[expect(clippy::too_many_arguments, reason = "Python's keywords")]
     fn new(
         grid: &Grid,
@@ -107,6 +107,7 @@ impl Session {
         max_slew: Option<f64>,
         max_speed: Option<f64>,
         stale_after: Option<f64>,
+        real_time: bool,
         model: &str,
         step_budget: Option<Whole>,
         sub_step: Option<f64>,
@@ -122,6 +123,7 @@ impl Session {
             max_slew: max_slew.unwrap_or(f64::INFINITY),
             max_speed: max_speed.unwrap_or(f64::INFINITY),
             stale_after,
+            real_time,
         };
         // Everything that can be refused is refused before the device is taken.
         settings.validate().map_err(value_error)?;
@@ -179,6 +181,17 @@ impl Session {
     #[getter]
     fn max_speed(&self, py: Python<'_>) -> f64 {
         self.lock(py).limits().max_speed
+    }
+
+    #[getter]
+    fn priority(&self, py: Python<'_>) -> String {
+        self.lock(py).priority().to_string()
+    }
+
+    #[getter]
+    fn locked_memory(&self, py: Python<'_>) -> (usize, usize) {
+        let memory = self.lock(py).locked_memory();
+        (memory.locked, memory.refused)
     }
 
     fn warnings(&self, py: Python<'_>) -> Vec<String> {

@@ -204,6 +204,15 @@ impl Statistics {
         Ok(self.statistics.update_us(checked(quantile)?))
     }
 
+    #[getter]
+    fn mean_load(&self) -> f64 {
+        self.statistics.mean_load()
+    }
+
+    fn load(&self, quantile: f64) -> PyResult<f64> {
+        Ok(self.statistics.load(checked(quantile)?))
+    }
+
     fn late_us(&self, quantile: f64) -> PyResult<f64> {
         Ok(self.statistics.late_us(checked(quantile)?))
     }

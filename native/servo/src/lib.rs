@@ -13,6 +13,8 @@ mod force;
 mod frame;
 mod histogram;
 mod live;
+mod memory;
+mod priority;
 mod record;
 mod safety;
 mod servo;
@@ -24,6 +26,8 @@ mod window;
 pub use fault::Fault;
 pub use frame::Frame;
 pub use histogram::{Distribution, Histogram};
+pub use memory::LockedMemory;
+pub use priority::Priority;
 pub use record::TickRecord;
 #[cfg(feature = "test-hooks")]
 pub use safety::Stage;

@@ -8,6 +8,7 @@ use surface::{Grid, GridPoint};
 
 use crate::force::spring;
 use crate::frame::ground_cells;
+use crate::memory::Piece;
 use crate::safety::{Heartbeat, Reading, Safety, Stage};
 use crate::{Fault, Frame, Held, Limits, Settings, TickRecord, Totals};
 
@@ -197,6 +198,11 @@ impl Servo {
     /// Where a simulated hand shall go (workspace metres).
     pub fn set_target(&mut self, target: [f64; 3]) {
         self.safety.set_target(target);
+    }
+
+    /// What every tick needs beside the servo itself.
+    pub(crate) fn memory(&self) -> [Piece; 2] {
+        [Piece::of(&*self.model), self.safety.memory()]
     }
 
     /// What the device can do.

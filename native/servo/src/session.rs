@@ -11,10 +11,11 @@ use triple_buffer::{Output, triple_buffer};
 
 use crate::command::Command;
 use crate::engine::{COMMANDS, Engine, Ports, RETIRED, Snapshot, TICKS_PER_SECOND};
-use crate::live::Live;
+use crate::live::{Granted, Live};
 use crate::safety::Heartbeat;
 use crate::{
-    Fault, Frame, Histogram, Limits, Servo, State, Statistics, TickRecord, Totals, Warning, Window,
+    Fault, Frame, Histogram, Limits, LockedMemory, Priority, Servo, State, Statistics, TickRecord,
+    Totals, Warning, Window,
 };
 
 /// The longest ring: an hour of ticks takes half a gigabyte.
@@ -39,6 +40,9 @@ pub struct Settings {
     /// gives no force; `None` where nobody needs to look. [`STALE_AFTER`](crate::STALE_AFTER) for
     /// hosts that draw.
     pub stale_after: Option<f64>,
+    /// Whether a live session asks the system for real-time priority. A refusal is no error: see
+    /// [`Session::priority`].
+    pub real_time: bool,
 }
 
 impl Default for Settings {
@@ -51,6 +55,7 @@ impl Default for Settings {
             max_slew: f64::INFINITY,
             max_speed: f64::INFINITY,
             stale_after: None,
+            real_time: true,
         }
     }
 }
@@ -125,6 +130,10 @@ pub struct Session {
     snapshots: Output<Snapshot>,
     update_times: Arc<Histogram>,
     lateness: Arc<Histogram>,
+    busy_times: Arc<Histogram>,
+    real_time: bool,
+    /// To the thread that ran last.
+    granted: Granted,
     fault: Arc<OnceLock<Fault>>,
 }
 
@@ -154,6 +163,7 @@ impl Session {
         let (snapshots_given, snapshots) = triple_buffer(&before_the_first_tick);
         let update_times = Arc::new(Histogram::new());
         let lateness = Arc::new(Histogram::new());
+        let busy_times = Arc::new(Histogram::new());
         let ports = Ports {
             commands: commands_taken,
             retired: retired_given,
@@ -161,6 +171,7 @@ impl Session {
             snapshots: snapshots_given,
             update_times: Arc::clone(&update_times),
             lateness: Arc::clone(&lateness),
+            busy_times: Arc::clone(&busy_times),
         };
         Ok(Session {
             place: Place::Here(Box::new(Engine::new(servo, ports))),
@@ -177,6 +188,9 @@ impl Session {
             snapshots,
             update_times,
             lateness,
+            busy_times,
+            real_time: settings.real_time,
+            granted: Granted::default(),
             fault: Arc::new(OnceLock::new()),
         })
     }
@@ -187,8 +201,9 @@ impl Session {
         match std::mem::replace(&mut self.place, Place::Lost) {
             Place::Here(mut engine) => {
                 engine.servo().watch_host(self.watched_heartbeat());
-                match Live::start(engine, Arc::clone(&self.fault)) {
+                match Live::start(engine, self.real_time, Arc::clone(&self.fault)) {
                     Ok(live) => {
+                        self.granted = live.granted().clone();
                         self.place = Place::Live(live);
                         Ok(())
                     }
@@ -234,7 +249,7 @@ impl Session {
         };
         engine.guard(|engine| {
             for _ in 0..count {
-                engine.tick();
+                engine.step();
                 if engine.fault().is_some() {
                     return;
                 }
@@ -244,6 +259,16 @@ impl Session {
             self.fault.get_or_init(|| fault.clone());
         }
         self.refuse_after_fault()
+    }
+
+    /// How the system schedules the thread that runs live, or ran last.
+    pub fn priority(&self) -> &Priority {
+        &self.granted.priority
+    }
+
+    /// What the system keeps in memory for that thread.
+    pub fn locked_memory(&self) -> LockedMemory {
+        self.granted.memory
     }
 
     /// Whether it runs live; false as soon as a fault has ended touch.
@@ -308,6 +333,7 @@ impl Session {
             totals: self.snapshots.read().totals,
             update_times: self.update_times.distribution(),
             lateness: self.lateness.distribution(),
+            busy_times: self.busy_times.distribution(),
         }
     }
 
@@ -364,7 +390,9 @@ impl Session {
             // A thread that ended by itself takes nothing any more, and that is no mistake of
             // whoever moves the window meanwhile.
             Place::Live(live) => match self.commands.push(command) {
-                Err(_) if live.is_running() => Err(SessionError::CommandsFull),
+                Err(_) if live.is_running() && self.fault.get().is_none() => {
+                    Err(SessionError::CommandsFull)
+                }
                 _ => Ok(()),
             },
             Place::Lost => Ok(()),

@@ -1,5 +1,6 @@
 //! Counts and times of a session.
 
+use crate::deadlines::PERIOD_NS;
 use crate::{Distribution, Trips};
 
 /// Counts since the session was made.
@@ -44,12 +45,25 @@ pub struct Statistics {
     pub update_times: Distribution,
     /// Nanoseconds from deadline to wake-up, live ticks only.
     pub lateness: Distribution,
+    /// Nanoseconds from wake-up to sleep, live ticks only: everything that a tick takes.
+    pub busy_times: Distribution,
 }
 
 impl Statistics {
     /// Microseconds from the device's read to its write; 0 before the first tick.
     pub fn update_us(&self, quantile: f64) -> f64 {
         microseconds(&self.update_times, quantile)
+    }
+
+    /// The share of a millisecond that live ticks take, mean: the servo's load (the paper's HLOAD
+    /// measures it on its device's servo). 0 before the first live tick.
+    pub fn mean_load(&self) -> f64 {
+        self.busy_times.mean().unwrap_or(0.0) / PERIOD_NS as f64
+    }
+
+    /// The share of a millisecond that a share of `quantile` of the live ticks does not exceed.
+    pub fn load(&self, quantile: f64) -> f64 {
+        self.busy_times.quantile(quantile).unwrap_or(0) as f64 / PERIOD_NS as f64
     }
 
     /// Microseconds from deadline to wake-up; 0 before the first live tick.

@@ -34,6 +34,7 @@ use std::sync::Arc;
 
 use devices::{Capabilities, Device, Force, ParameterError, Pose};
 
+use crate::memory::Piece;
 use crate::{Fault, Settings};
 
 use errors::Tolerance;
@@ -112,6 +113,11 @@ impl Safety {
             reasons: Reasons::default(),
             stages: Stages::default(),
         })
+    }
+
+    /// The device's state.
+    pub(crate) fn memory(&self) -> Piece {
+        Piece::of(&*self.device)
     }
 
     /// Reads the hand in a tick that ends `dt` seconds after the last one, and looks at everything

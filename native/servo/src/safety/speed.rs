@@ -1,5 +1,7 @@
 //! The hand's speed: a handle that slipped, or a position that jumped.
 
+use devices::NOMINAL_PERIOD;
+
 /// Seconds below the limit before the force begins to come back.
 pub(crate) const CALM: f64 = 0.05;
 
@@ -28,7 +30,8 @@ impl SpeedWatch {
 
     /// The hand is at `position`, `dt` seconds after the last tick.
     pub(crate) fn see(&mut self, position: [f64; 3], dt: f64) -> Step {
-        let seconds = self.unseen + dt;
+        // A tick that follows a late one closely has less time than its device's motion may have had.
+        let seconds = (self.unseen + dt).max(NOMINAL_PERIOD);
         self.unseen = 0.0;
         let Some(last) = self.last.replace(position) else {
             return Step { seconds: dt, too_fast: false };
