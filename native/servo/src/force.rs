@@ -1,6 +1,6 @@
 //! The force of the spring, and its limits.
 
-use devices::{Capabilities, Force};
+use devices::{Capabilities, Force, NOMINAL_PERIOD};
 
 /// A spring of `stiffness` N/m stretched by `displacement` metres.
 pub(crate) fn spring(stiffness: f64, displacement: [f64; 3]) -> Force {
@@ -14,6 +14,12 @@ pub(crate) fn spring(stiffness: f64, displacement: [f64; 3]) -> Force {
 pub(crate) fn stable_stiffness(wanted: f64, capabilities: &Capabilities) -> f64 {
     let delay = 1.0 + 2.0 * f64::from(capabilities.delay_ticks);
     wanted.min(capabilities.max_stiffness / delay)
+}
+
+/// The damping, N s/m, that a device must have at least to show the stiffness that it declares:
+/// K < 2b/T (Colgate and Schenkel, 1997).
+pub(crate) fn declared_damping(capabilities: &Capabilities) -> f64 {
+    0.5 * capabilities.max_stiffness * NOMINAL_PERIOD
 }
 
 /// The force cut to `limit` newtons with its direction kept, and whether it was cut. The force must

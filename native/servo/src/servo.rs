@@ -7,9 +7,10 @@ use contact::{Contact, ContactModel, Feature};
 use devices::{Capabilities, Device, Force, ParameterError, Pose};
 use surface::{Grid, GridPoint};
 
-use crate::force::{SlewLimit, limited, spring, stable_stiffness};
+use crate::force::{SlewLimit, declared_damping, limited, spring, stable_stiffness};
 use crate::frame::ground_cells;
-use crate::{Fault, Frame, TickRecord, Totals};
+use crate::passivity::{Coupling, Passivity};
+use crate::{Fault, Frame, TickRecord, Totals, Walls};
 
 /// A device, a contact model and a grid, joined by a spring from the hand to the proxy.
 ///
@@ -27,6 +28,10 @@ pub struct Servo {
     max_force: f64,
     /// Engaged when another contact model takes over.
     slew: SlewLimit,
+    /// None until they are asked for.
+    walls: Option<Walls>,
+    /// Watches the energy of the spring.
+    passivity: Passivity,
     /// The goal of the last tick. `None` while the proxy has still to be placed at the hand.
     last_goal: Option<GridPoint>,
     latest: TickRecord,
@@ -57,6 +62,8 @@ impl Servo {
             stiffness: stable_stiffness(stiffness, &capabilities),
             max_force,
             slew: SlewLimit::new(max_force),
+            walls: None,
+            passivity: Passivity::new(declared_damping(&capabilities), capabilities.delay_ticks),
             last_goal: None,
             latest: TickRecord::at_rest(origin),
             totals: Totals::default(),
@@ -98,12 +105,14 @@ impl Servo {
         }
         self.device.write(force, dt)?;
         self.latest.force = force.newtons;
+        self.passivity.sent(force.newtons);
         Ok(())
     }
 
     /// The force for a pose, `dt` seconds after the last one.
     fn answer(&mut self, pose: &Pose, dt: f64) -> Force {
-        let goal = self.frame.goal(pose.position);
+        let inside = self.walls.map_or(pose.position, |walls| walls.inside(pose.position));
+        let goal = self.frame.goal(inside);
         if !(pose.is_finite() && goal.is_finite()) {
             return self.distrust();
         }
@@ -113,6 +122,7 @@ impl Servo {
                 self.model.place(goal);
                 // There is no force to go on from.
                 self.slew.disengage();
+                self.passivity.begin();
             }
             Some(before) => self.totals.goal_cells += ground_cells(&before, &goal),
         }
@@ -124,22 +134,44 @@ impl Servo {
         }
         self.count(&contact);
         self.report(pose, &goal, &contact);
-        let wanted = self.pull(&goal, &contact);
+        let wanted = self.pull(pose, &goal, &contact, dt);
         self.slew.limited(wanted, dt)
     }
 
     /// The spring from the hand to the proxy, through the gates.
-    fn pull(&mut self, goal: &GridPoint, contact: &Contact) -> Force {
-        if contact.feature == Feature::Free {
-            return Force::ZERO;
-        }
-        let force = spring(self.stiffness, self.frame.displacement(goal, &contact.proxy));
+    fn pull(&mut self, pose: &Pose, goal: &GridPoint, contact: &Contact, dt: f64) -> Force {
+        let stretch = self.stretch(pose, goal, contact);
+        let force = spring(self.stiffness, stretch);
         if !force.is_finite() {
             return self.distrust();
         }
         let (force, was_cut) = limited(force, self.max_force);
         self.totals.clamped += u64::from(was_cut);
-        force
+        self.watched(pose, force, stretch, dt)
+    }
+
+    /// From the hand to where it shall be, metres.
+    fn stretch(&self, pose: &Pose, goal: &GridPoint, contact: &Contact) -> [f64; 3] {
+        let in_contact = contact.feature != Feature::Free;
+        let surface = in_contact.then(|| self.frame.displacement(goal, &contact.proxy));
+        match self.walls {
+            Some(walls) => walls.push(pose.position, surface),
+            None => surface.unwrap_or([0.0; 3]),
+        }
+    }
+
+    /// The force under the eyes of the passivity observer, which may add damping to it.
+    fn watched(&mut self, pose: &Pose, force: Force, stretch: [f64; 3], dt: f64) -> Force {
+        let coupling = Coupling {
+            hand: pose.position,
+            force: force.newtons,
+            stretch: stretch[0].hypot(stretch[1]).hypot(stretch[2]),
+            stiffness: self.stiffness,
+            dt,
+        };
+        let newtons = self.passivity.tick(&coupling);
+        self.totals.active_ticks = self.passivity.active_ticks();
+        limited(Force { newtons }, self.max_force).0
     }
 
     /// Something was not finite: no force, at once.
@@ -213,6 +245,23 @@ impl Servo {
         model.take_over(self.model.proxy());
         self.slew.engage(Force { newtons: self.latest.force });
         std::mem::replace(&mut self.model, model)
+    }
+
+    /// Walls around the hand, which begin to push with the next tick.
+    pub fn set_walls(&mut self, walls: Option<Walls>) {
+        self.walls = walls;
+    }
+
+    /// Whether damping is added when the passivity observer finds that the spring gives more energy
+    /// than it took (Hannaford and Ryu, 2002). Off at first.
+    pub fn set_passivity_control(&mut self, controls: bool) {
+        self.passivity.set_control(controls);
+    }
+
+    /// The device's own damping, N s/m, where it is known better than what the stiffness it declares
+    /// says of it; the passivity observer counts on that much.
+    pub fn set_device_damping(&mut self, damping: f64) {
+        self.passivity.set_damping(damping);
     }
 
     /// Where a simulated hand shall go (workspace metres).

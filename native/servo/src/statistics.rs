@@ -31,6 +31,9 @@ pub struct Totals {
     pub not_finite: u64,
     /// Ticks whose force was cut to the limit.
     pub clamped: u64,
+    /// Ticks in which the spring had given the hand more energy than it took, as the passivity
+    /// observer counts it.
+    pub active_ticks: u64,
     /// Ticks that found the ring full; they are lost to recordings.
     pub dropped: u64,
     /// Cells that the goal travelled over the ground, summed over the ticks.
