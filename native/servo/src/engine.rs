@@ -141,6 +141,7 @@ impl Engine {
         match command {
             Command::Window(frame) => self.servo.set_frame(frame),
             Command::Target(target) => self.servo.set_target(target),
+            Command::PassivityControl(controls) => self.servo.set_passivity_control(controls),
             Command::Model(model) => {
                 let retired = self.servo.set_model(model);
                 // Room was made before, so that nothing is freed here.

@@ -14,6 +14,8 @@ mod frame;
 mod histogram;
 mod live;
 mod memory;
+mod mix;
+mod passivity;
 mod priority;
 mod record;
 mod safety;
@@ -21,6 +23,7 @@ mod servo;
 mod session;
 mod state;
 mod statistics;
+mod walls;
 mod window;
 
 pub use fault::Fault;
@@ -36,6 +39,7 @@ pub use servo::Servo;
 pub use session::{Session, SessionError, Settings};
 pub use state::{Mode, State};
 pub use statistics::{Statistics, Totals};
+pub use walls::Walls;
 pub use window::Window;
 
 /// Whether a stage of the safety chain can be switched off, for tests: never in what is shipped.

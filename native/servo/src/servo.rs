@@ -9,8 +9,9 @@ use surface::{Grid, GridPoint};
 use crate::force::spring;
 use crate::frame::ground_cells;
 use crate::memory::Piece;
+use crate::passivity::{Coupling, Passivity, declared_damping};
 use crate::safety::{Heartbeat, Reading, Safety, Stage};
-use crate::{Fault, Frame, Held, Limits, Settings, TickRecord, Totals};
+use crate::{Fault, Frame, Held, Limits, Settings, TickRecord, Totals, Walls};
 
 /// A device, a contact model and a grid, joined by a spring from the hand to the proxy.
 ///
@@ -21,6 +22,10 @@ pub struct Servo {
     model: Box<dyn ContactModel>,
     grid: Arc<Grid>,
     frame: Frame,
+    /// None until they are asked for.
+    walls: Option<Walls>,
+    /// Watches the energy of the spring.
+    passivity: Passivity,
     /// The goal of the last tick. `None` while the proxy has still to be placed at the hand.
     last_goal: Option<GridPoint>,
     latest: TickRecord,
@@ -38,11 +43,14 @@ impl Servo {
         settings: &Settings,
     ) -> Result<Servo, ParameterError> {
         let origin = frame.terrain(&frame.goal([0.0; 3]));
+        let capabilities = device.capabilities();
         Ok(Servo {
             safety: Safety::new(device, settings)?,
             model,
             grid,
             frame,
+            walls: None,
+            passivity: Passivity::new(declared_damping(&capabilities), capabilities.delay_ticks),
             last_goal: None,
             latest: TickRecord::at_rest(origin),
             totals: Totals::default(),
@@ -77,7 +85,7 @@ impl Servo {
     /// The tick as it is while nothing is wrong.
     fn exchange(&mut self, time: f64, dt: f64) -> Result<(), Fault> {
         let wanted = match self.safety.read(time, dt)? {
-            Reading::Hand { pose, followed } => self.answer(&pose, followed),
+            Reading::Hand { pose, followed } => self.answer(&pose, followed, dt),
             Reading::Nothing => Force::ZERO,
         };
         // Asked after the update: it is in the update that a cut file is noticed.
@@ -85,12 +93,15 @@ impl Servo {
             return Err(Fault::GridDamaged);
         }
         self.latest.force = self.safety.send(wanted, time, dt)?.newtons;
+        self.passivity.sent(self.latest.force);
         Ok(())
     }
 
-    /// The force that a pose asks for; `followed` says whether the hand came here as hands do.
-    fn answer(&mut self, pose: &Pose, followed: bool) -> Force {
-        let goal = self.frame.goal(pose.position);
+    /// The force that a pose asks for, `dt` seconds after the last one; `followed` says whether the
+    /// hand came here as hands do.
+    fn answer(&mut self, pose: &Pose, followed: bool, dt: f64) -> Force {
+        let inside = self.walls.map_or(pose.position, |walls| walls.inside(pose.position));
+        let goal = self.frame.goal(inside);
         if self.safety.is_on(Stage::Finite) && !goal.is_finite() {
             return self.distrust();
         }
@@ -108,20 +119,45 @@ impl Servo {
         }
         self.count(&contact);
         self.report(pose, &goal, &contact);
-        self.pull(&goal, &contact)
+        self.pull(pose, &goal, &contact, dt)
     }
 
     fn engage(&mut self, goal: GridPoint) {
         self.model.place(goal);
         self.safety.engage();
+        self.passivity.begin();
     }
 
-    /// The spring from the hand to the proxy.
-    fn pull(&self, goal: &GridPoint, contact: &Contact) -> Force {
-        if contact.feature == Feature::Free {
-            return Force::ZERO;
+    /// The spring from the hand to where it shall be, under the eyes of the passivity observer, which
+    /// may add damping to it.
+    fn pull(&mut self, pose: &Pose, goal: &GridPoint, contact: &Contact, dt: f64) -> Force {
+        let stretch = self.stretch(pose, goal, contact);
+        let stiffness = self.safety.stiffness();
+        let force = spring(stiffness, stretch);
+        if !force.is_finite() {
+            // No energy to keep account of: the safety chain lets none of it through.
+            return force;
         }
-        spring(self.safety.stiffness(), self.frame.displacement(goal, &contact.proxy))
+        let coupling = Coupling {
+            hand: pose.position,
+            force: force.newtons,
+            stretch: stretch[0].hypot(stretch[1]).hypot(stretch[2]),
+            stiffness,
+            dt,
+        };
+        let newtons = self.passivity.tick(&coupling);
+        self.totals.active_ticks = self.passivity.active_ticks();
+        Force { newtons }
+    }
+
+    /// From the hand to where it shall be, metres.
+    fn stretch(&self, pose: &Pose, goal: &GridPoint, contact: &Contact) -> [f64; 3] {
+        let in_contact = contact.feature != Feature::Free;
+        let surface = in_contact.then(|| self.frame.displacement(goal, &contact.proxy));
+        match self.walls {
+            Some(walls) => walls.push(pose.position, surface),
+            None => surface.unwrap_or([0.0; 3]),
+        }
     }
 
     /// Something was not finite: no force, at once.
@@ -193,6 +229,23 @@ impl Servo {
         model.take_over(self.model.proxy());
         self.safety.hand_over();
         std::mem::replace(&mut self.model, model)
+    }
+
+    /// Walls around the hand, which begin to push with the next tick.
+    pub fn set_walls(&mut self, walls: Option<Walls>) {
+        self.walls = walls;
+    }
+
+    /// Whether damping is added when the passivity observer finds that the spring gives more energy
+    /// than it took (Hannaford and Ryu, 2002). Off at first.
+    pub fn set_passivity_control(&mut self, controls: bool) {
+        self.passivity.set_control(controls);
+    }
+
+    /// The device's own damping, N s/m, where it is known better than what the stiffness it declares
+    /// says of it; the passivity observer counts on that much.
+    pub fn set_device_damping(&mut self, damping: f64) {
+        self.passivity.set_damping(damping);
     }
 
     /// Where a simulated hand shall go (workspace metres).

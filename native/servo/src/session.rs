@@ -319,6 +319,12 @@ impl Session {
         self.command(Command::Target(target))
     }
 
+    /// Whether damping is added, from the next tick on, when the passivity observer finds that the
+    /// spring gives more energy than it took. Off at first.
+    pub fn set_passivity_control(&mut self, controls: bool) -> Result<(), SessionError> {
+        self.command(Command::PassivityControl(controls))
+    }
+
     /// The newest tick. Also looks whether the grid's file has been cut, which the servo cannot.
     pub fn state(&mut self) -> State {
         self.free_retired();

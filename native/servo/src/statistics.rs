@@ -28,6 +28,9 @@ pub struct Totals {
     pub cycles_ended: u64,
     /// Updates that ended with steps left over.
     pub unfinished: u64,
+    /// Ticks in which the spring had given the hand more energy than it took, as the passivity
+    /// observer counts it.
+    pub active_ticks: u64,
     /// Ticks that found the ring full; they are lost to recordings.
     pub dropped: u64,
     /// Cells that the goal travelled over the ground, summed over the ticks.

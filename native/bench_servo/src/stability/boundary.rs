@@ -1,0 +1,48 @@
+//! The stiffest spring that comes to rest, by bisection.
+
+use crate::stability::trial::Trial;
+use std::error::Error;
+
+/// Halvings: of a factor of 8, to a thousandth.
+const HALVINGS: u32 = 12;
+
+/// What was found, beside what theory says, N/m.
+#[derive(Clone, Copy, Debug)]
+pub struct Boundary {
+    /// Measured.
+    pub measured: f64,
+    /// K < 2b/((1 + 2d)T).
+    pub passive: f64,
+    /// Of this plant, exactly.
+    pub exact: f64,
+    /// Ticks in which the observer found a spring active that was no stiffer than the passive bound.
+    pub false_alarms: u64,
+    /// Ticks done.
+    pub ticks: u64,
+}
+
+impl Boundary {
+    /// The stiffness at which `trial` begins to swing, between a quarter of the passive bound and
+    /// eight times as much.
+    pub fn of(trial: &Trial) -> Result<Self, Box<dyn Error>> {
+        let plant = trial.plant();
+        let passive = plant.passive_bound();
+        let (mut stable, mut unstable) = (0.25 * passive, 8.0 * passive);
+        let (mut false_alarms, mut ticks) = (0, 0);
+        for _ in 0..HALVINGS {
+            let middle = (stable * unstable).sqrt();
+            let outcome = trial.run(middle)?;
+            ticks += outcome.ticks;
+            if middle <= passive {
+                false_alarms += outcome.active_ticks;
+            }
+            if outcome.is_stable { stable = middle } else { unstable = middle }
+        }
+        Ok(Self { measured: stable, passive, exact: plant.exact_boundary(), false_alarms, ticks })
+    }
+
+    /// Measured over the passive bound.
+    pub fn ratio(&self) -> f64 {
+        self.measured / self.passive
+    }
+}
