@@ -42,7 +42,8 @@ pub(crate) struct Coupling {
     pub(crate) dt: f64,
 }
 
-/// The observer, and the controller that may answer it.
+/// The observer, and the controller that may answer it. It is as good as what is known of the device's
+/// damping: one that has less than it declares can swing unseen.
 ///
 /// Its account is kept low, so that it does not miss what it should see: of what the damping took
 /// only the last ticks count, for what was taken long ago pays for nothing now, and beyond that no
@@ -64,6 +65,8 @@ pub(crate) struct Passivity {
     taken: [f64; LONGEST_DELAY + 1],
     /// `None` before the first tick of touch.
     hand: Option<[f64; 3]>,
+    /// Seconds of the last tick.
+    dt: f64,
     /// Joules that stand on the account.
     energy: f64,
     /// Joules summed without their signs.
@@ -85,6 +88,7 @@ impl Passivity {
             sent: [[0.0; 3]; LONGEST_DELAY + 1],
             taken: [0.0; LONGEST_DELAY + 1],
             hand: None,
+            dt: 0.0,
             energy: 0.0,
             turnover: 0.0,
             quiet_ticks: 0,
@@ -120,6 +124,9 @@ impl Passivity {
     /// Keeps the account of one tick. Gives the force to send: as it is wanted, or with damping where
     /// that is asked for and the account is negative.
     pub(crate) fn tick(&mut self, coupling: &Coupling) -> [f64; 3] {
+        // A real hand has moved since the last tick, a simulated one for as long as that tick was told
+        // to last. Damping takes less in more time, so the longer of the two is the careful choice.
+        let dt = coupling.dt.max(std::mem::replace(&mut self.dt, coupling.dt));
         let Some(before) = self.hand.replace(coupling.hand) else {
             return coupling.force;
         };
@@ -129,7 +136,7 @@ impl Passivity {
         }
         let step: [f64; 3] = std::array::from_fn(|axis| coupling.hand[axis] - before[axis]);
         self.listen(coupling);
-        self.book(step, coupling.dt);
+        self.book(step, dt);
         self.forget(coupling);
         if self.energy >= -ROUNDING * self.turnover {
             return coupling.force;
@@ -138,12 +145,12 @@ impl Passivity {
         if !self.controls {
             return coupling.force;
         }
-        self.damped(coupling.force, step, coupling.dt)
+        self.damped(coupling.force, step, dt)
     }
 
     /// What was sent after the tick, newtons.
     pub(crate) fn sent(&mut self, force: [f64; 3]) {
-        self.sent.rotate_right(1);
+        self.sent[..=self.delay].rotate_right(1);
         self.sent[0] = force;
     }
 
@@ -168,7 +175,7 @@ impl Passivity {
         // What the damping takes in the air pays for nothing.
         let counts = dt > 0.0 && self.spring_acts();
         let taken = if counts { self.damping * dot(step, step) / dt } else { 0.0 };
-        self.taken.rotate_right(1);
+        self.taken[..=self.delay].rotate_right(1);
         self.taken[0] = taken;
         self.energy += taken - work;
         self.turnover += taken.min(work.abs()) + work.abs();

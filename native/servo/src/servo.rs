@@ -231,8 +231,10 @@ impl Servo {
         std::mem::replace(&mut self.model, model)
     }
 
-    /// Walls around the hand, which begin to push with the next tick.
+    /// Walls around the hand, or none, from the next tick on, the force changing no faster than its
+    /// slew limit.
     pub fn set_walls(&mut self, walls: Option<Walls>) {
+        self.slew.engage(Force { newtons: self.latest.force });
         self.walls = walls;
     }
 

@@ -10,10 +10,10 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use common::*;
 use contact::Feature;
 use devices::{
-    Capabilities, Device, DeviceError, Force, Hand, PathPoint, Pose, ScriptedDevice,
+    Capabilities, Device, DeviceError, Force, Hand, Mechanism, PathPoint, Pose, ScriptedDevice,
     SimulatedDevice,
 };
-use servo::{Session, Settings, Window};
+use servo::{Frame, Servo, Session, Settings, Walls, Window};
 use surface::GridPoint;
 
 thread_local! {
@@ -81,6 +81,29 @@ fn ticks_through_rough_ground_allocate_nothing() {
     assert_eq!(calls, 0);
     let features: Vec<Feature> = session.drain().iter().map(|record| record.feature).collect();
     assert!(features.contains(&Feature::Free) && features.contains(&Feature::Vertex));
+}
+
+#[test]
+fn walls_and_passivity_control_allocate_nothing() {
+    // On a device that pushes late and can show nearly nothing, so that the controller has work.
+    let mechanism =
+        Mechanism { delay_ticks: 3, max_stiffness: Some(5000.0), ..Mechanism::default() };
+    let hand = Hand { damping: 0.2, target: [0.0, 0.0, 0.03], ..Hand::default() };
+    let device = Box::new(SimulatedDevice::held(hand, mechanism).unwrap());
+    let ground = ground(rough);
+    let frame = Frame::new(window(), 0.16, ground.layout()).unwrap();
+    let mut servo = Servo::new(device, proxy_graph(), ground, frame, 500.0, 8.0).unwrap();
+    servo.set_walls(Some(Walls::new(0.01, 0.01).unwrap()));
+    servo.set_passivity_control(true);
+    servo.set_device_damping(0.1);
+    servo.set_target([0.02, 0.02, -0.03]);
+    let calls = calls_during(|| {
+        for tick in 1..=4000 {
+            servo.tick(f64::from(tick) * 1e-3, 1e-3);
+        }
+    });
+    assert_eq!(calls, 0);
+    assert!(servo.totals().contact_ticks > 0 && servo.totals().active_ticks > 0);
 }
 
 #[test]

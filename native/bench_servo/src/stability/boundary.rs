@@ -46,3 +46,24 @@ impl Boundary {
         self.measured / self.passive
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::stability::ground::Ground;
+    use crate::stability::trial::{mechanism, weight};
+    use crate::stability::{NO_SWING, pressed};
+
+    #[test]
+    fn without_an_encoder_the_servo_meets_the_exact_boundary() {
+        let flat = Ground::flat().unwrap();
+        for delay in [0, 1, 2] {
+            let pressed = pressed(&flat, weight(), 2.0, delay);
+            let smooth = Trial { rest: NO_SWING, mechanism: mechanism(2.0, delay, 0.0), ..pressed };
+            let found = Boundary::of(&smooth).unwrap();
+            let ratio = found.measured / found.exact;
+            assert!((ratio - 1.0).abs() < 2e-3, "{delay} ticks late: {ratio}");
+            assert_eq!(found.false_alarms, 0);
+        }
+    }
+}
