@@ -9,6 +9,8 @@ mod command;
 mod deadlines;
 mod engine;
 mod fault;
+#[cfg(feature = "test-hooks")]
+pub mod faults;
 mod force;
 mod frame;
 mod histogram;

@@ -234,7 +234,7 @@ impl Servo {
     /// Walls around the hand, or none, from the next tick on, the force changing no faster than its
     /// slew limit.
     pub fn set_walls(&mut self, walls: Option<Walls>) {
-        self.slew.engage(Force { newtons: self.latest.force });
+        self.safety.hand_over();
         self.walls = walls;
     }
 

@@ -5,9 +5,12 @@ mod common;
 use common::*;
 use contact::Feature;
 use devices::{Device, Hand, Mechanism, PathPoint, ScriptedDevice, SimulatedDevice};
-use servo::{Frame, Servo, Walls};
+use servo::{Frame, Servo, Settings, Walls};
 
 const STIFFNESS: f64 = 500.0;
+
+/// Ticks after which the force of a new touch is whole.
+const RAMPED: u32 = 60;
 
 /// Metres from the origin to each wall.
 const WALL: f64 = 0.02;
@@ -15,7 +18,12 @@ const WALL: f64 = 0.02;
 fn servo(elevation: impl Fn(u32, u32) -> f64, device: impl Device + 'static) -> Servo {
     let ground = ground(elevation);
     let frame = Frame::new(window(), 0.16, ground.layout()).unwrap();
-    Servo::new(Box::new(device), proxy_graph(), ground, frame, STIFFNESS, f64::MAX).unwrap()
+    Servo::new(Box::new(device), proxy_graph(), ground, frame, &stiff(STIFFNESS)).unwrap()
+}
+
+/// A spring of any stiffness, whose force nothing limits.
+fn stiff(stiffness: f64) -> Settings {
+    Settings { stiffness, max_force: f64::MAX, ..Settings::default() }
 }
 
 fn between_walls(elevation: impl Fn(u32, u32) -> f64, device: impl Device + 'static) -> Servo {
@@ -68,9 +76,13 @@ fn through_wall_and_slope_the_force_makes_no_step() {
         });
         let path = ScriptedDevice::new(points.collect(), [0.16, 0.12, 0.12]).unwrap();
         let mut servo = between_walls(slope(rise), path);
-        let mut before = servo.tick(0.0, 1e-3);
+        // While the force is ramped in, it changes though the hand does not.
+        for tick in 0..RAMPED {
+            servo.tick(f64::from(tick) * 1e-3, 1e-3);
+        }
+        let mut before = *servo.latest();
         let mut touched = [false; 2];
-        for tick in 1..4000 {
+        for tick in RAMPED..4000 {
             let now = servo.tick(f64::from(tick) * 1e-3, 1e-3);
             let (moved, change) = (way(before.hand, now.hand), way(before.force, now.force));
             assert!(
@@ -97,8 +109,14 @@ fn pressed(damping: f64, delay_ticks: u32) -> Servo {
     let device = SimulatedDevice::held(hand, mechanism).unwrap();
     let ground = flat_ground();
     let frame = Frame::new(window(), 0.16, ground.layout()).unwrap();
-    let mut servo =
-        Servo::new(Box::new(device), proxy_graph(), ground, frame, 1000.0, 8.0).unwrap();
+    let mut servo = Servo::new(
+        Box::new(device),
+        proxy_graph(),
+        ground,
+        frame,
+        &Settings { stiffness: 1000.0, ..Settings::default() },
+    )
+    .unwrap();
     servo.set_device_damping(damping);
     servo.set_target([0.0, 0.0, -0.02]);
     servo

@@ -13,7 +13,7 @@ use devices::{
     Capabilities, Device, DeviceError, Force, Hand, Mechanism, PathPoint, Pose, ScriptedDevice,
     SimulatedDevice,
 };
-use servo::{Frame, Servo, Session, Settings, Walls, Window};
+use servo::{Frame, STALE_AFTER, Servo, Session, Settings, Walls, Window};
 use surface::GridPoint;
 
 thread_local! {
@@ -92,7 +92,7 @@ fn walls_and_passivity_control_allocate_nothing() {
     let device = Box::new(SimulatedDevice::held(hand, mechanism).unwrap());
     let ground = ground(rough);
     let frame = Frame::new(window(), 0.16, ground.layout()).unwrap();
-    let mut servo = Servo::new(device, proxy_graph(), ground, frame, 500.0, 8.0).unwrap();
+    let mut servo = Servo::new(device, proxy_graph(), ground, frame, &Settings::default()).unwrap();
     servo.set_walls(Some(Walls::new(0.01, 0.01).unwrap()));
     servo.set_passivity_control(true);
     servo.set_device_damping(0.1);
@@ -121,6 +121,48 @@ fn a_full_ring_and_commands_allocate_nothing() {
     });
     assert_eq!(calls, 0);
     assert!(session.statistics().totals.dropped > 0);
+}
+
+#[test]
+fn no_stage_of_the_safety_chain_allocates() {
+    let log = Log::default();
+    let device = {
+        let mut device = Watched::new(&log, |read| match read {
+            0 => Ok([0.0, 0.0, 0.01]),
+            500 | 700 | 701 => Err(DeviceError::Timeout("no packet".into())),
+            900 => Ok([f64::NAN, 0.0, 0.0]),
+            1000 => Ok([1.0, 0.0, 0.0]),
+            _ => Ok([0.0, 0.0, -0.02 * f64::from(u8::from(read / 100 % 2 == 1))]),
+        });
+        device.capabilities.max_speed = 25.0;
+        device
+    };
+    let settings = Settings {
+        max_force: 5.0,
+        stale_after: Some(STALE_AFTER),
+        ring_seconds: 0.5,
+        ..Settings::default()
+    };
+    let mut session =
+        Session::new(flat_ground(), Box::new(device), proxy_graph(), window(), settings).unwrap();
+    session.watch_host_in_steps();
+    log.make_room(10_000);
+    let calls = calls_during(|| {
+        for turn in 0..150 {
+            session.step(10).unwrap();
+            session.heartbeat();
+            if turn == 120 {
+                session.stall(7);
+            }
+        }
+        session.step(300).unwrap();
+    });
+    assert_eq!(calls, 0);
+    let trips = session.statistics().totals.trips;
+    assert_eq!((trips.device_errors, trips.not_finite, trips.speed_cuts), (3, 1, 1));
+    assert_eq!((trips.late_cuts, trips.host_cuts), (1, 1));
+    assert!(trips.clamped > 0 && trips.ramped > 0 && trips.slew_limited > 0);
+    assert!(trips.engaged > 1 && session.statistics().totals.dropped > 0);
 }
 
 /// A hand in the ground that tells how often its thread has called the allocator.

@@ -5,12 +5,15 @@ use crate::stability::plain_wall::PlainWall;
 use crate::stability::theory::Plant;
 use contact::{Model, SurfaceWalk};
 use devices::{Device, Hand, Mechanism, SimulatedDevice};
-use servo::{Servo, Walls};
+use servo::{Servo, Settings, Walls};
 use std::error::Error;
 use std::sync::Arc;
 
 /// Metres in a count of the encoder: what delta-type devices and the better arms have.
 pub const COUNT: f64 = 1e-5;
+
+/// Newtons: never the limit here.
+const MOST_FORCE: f64 = 1e9;
 
 /// Seconds of a look at the swing, and looks of the longest trial: a minute.
 const LOOK: f64 = 0.5;
@@ -151,7 +154,8 @@ impl Trial<'_> {
     }
 
     fn servo(&self, stiffness: f64) -> Result<Servo, Box<dyn Error>> {
-        let hand = Hand { target: self.start, max_force: 1e9, workspace: WORKSPACE, ..self.hand };
+        let hand =
+            Hand { target: self.start, max_force: MOST_FORCE, workspace: WORKSPACE, ..self.hand };
         let rig = SimulatedDevice::held(hand, self.mechanism)?;
         let device: Box<dyn Device> = match self.wall {
             Wall::Added(at) => Box::new(PlainWall::new(rig, at, stiffness)),
@@ -159,7 +163,8 @@ impl Trial<'_> {
         };
         let model = Box::new(SurfaceWalk::new(Model::default().default_step_budget(), None));
         let grid = Arc::clone(&self.ground.grid);
-        let mut servo = Servo::new(device, model, grid, self.ground.frame, stiffness, 1e9)?;
+        let settings = Settings { stiffness, max_force: MOST_FORCE, ..Settings::default() };
+        let mut servo = Servo::new(device, model, grid, self.ground.frame, &settings)?;
         servo.set_device_damping(self.plant().damping);
         servo.set_passivity_control(self.controls);
         if let Wall::Mixed(at) = self.wall {

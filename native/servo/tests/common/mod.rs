@@ -67,6 +67,11 @@ impl Log {
         self.0.lock().unwrap().push(seen);
     }
 
+    /// So that nothing is allocated for so many entries.
+    pub fn make_room(&self, entries: usize) {
+        self.0.lock().unwrap().reserve(entries);
+    }
+
     pub fn all(&self) -> Vec<Seen> {
         self.0.lock().unwrap().clone()
     }
