@@ -66,7 +66,9 @@ impl Engine {
     /// The tick of the next deadline, exactly at it.
     pub(crate) fn step(&mut self) {
         let time = (self.periods + 1) as f64 / TICKS_PER_SECOND;
-        self.tick(time, NOMINAL_PERIOD);
+        // The last tick was at a deadline too: whole periods lie between.
+        let periods = ((time - self.time_at_tick) * TICKS_PER_SECOND).round();
+        self.tick(time, periods * NOMINAL_PERIOD);
     }
 
     /// The tick of the next deadline, which began at `time` on the session's clock.
