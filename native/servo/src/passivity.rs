@@ -112,7 +112,8 @@ impl Passivity {
         self.active_ticks
     }
 
-    /// Begins anew, as if nothing had been touched.
+    /// Begins anew with the next tick. While forces are ramped in or out they are not the spring's:
+    /// one that grows under a hand at rest makes energy, whatever its stiffness.
     pub(crate) fn begin(&mut self) {
         self.sent = [[0.0; 3]; LONGEST_DELAY + 1];
         self.taken = [0.0; LONGEST_DELAY + 1];
@@ -128,6 +129,8 @@ impl Passivity {
         // to last. Damping takes less in more time, so the longer of the two is the careful choice.
         let dt = coupling.dt.max(std::mem::replace(&mut self.dt, coupling.dt));
         let Some(before) = self.hand.replace(coupling.hand) else {
+            // Where the spring is pressed already, it may give that back.
+            self.energy = stored(coupling);
             return coupling.force;
         };
         // A device that says it can show every spring, such as a script, takes all that is made.

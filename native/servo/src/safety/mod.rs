@@ -208,6 +208,11 @@ impl Safety {
         force
     }
 
+    /// Whether forces pass as they are, but for clamp and slew limit.
+    pub(crate) fn passes_whole(&self) -> bool {
+        self.gate.is_open()
+    }
+
     /// Something was not a number: no force in this tick.
     pub(crate) fn distrust(&mut self) {
         if self.stages.are_on(Stage::Finite) {
