@@ -71,6 +71,8 @@ pub(crate) struct Passivity {
     energy: f64,
     /// Joules summed without their signs.
     turnover: f64,
+    /// The account is opened in the next tick.
+    is_new: bool,
     /// Ticks and seconds since the spring pushed.
     quiet_ticks: usize,
     quiet_seconds: f64,
@@ -91,6 +93,7 @@ impl Passivity {
             dt: 0.0,
             energy: 0.0,
             turnover: 0.0,
+            is_new: true,
             quiet_ticks: 0,
             quiet_seconds: 0.0,
             active_ticks: 0,
@@ -115,11 +118,7 @@ impl Passivity {
     /// Begins anew with the next tick. While forces are ramped in or out they are not the spring's:
     /// one that grows under a hand at rest makes energy, whatever its stiffness.
     pub(crate) fn begin(&mut self) {
-        self.sent = [[0.0; 3]; LONGEST_DELAY + 1];
-        self.taken = [0.0; LONGEST_DELAY + 1];
-        self.hand = None;
-        self.energy = 0.0;
-        self.turnover = 0.0;
+        self.is_new = true;
     }
 
     /// Keeps the account of one tick. Gives the force to send: as it is wanted, or with damping where
@@ -129,8 +128,6 @@ impl Passivity {
         // to last. Damping takes less in more time, so the longer of the two is the careful choice.
         let dt = coupling.dt.max(std::mem::replace(&mut self.dt, coupling.dt));
         let Some(before) = self.hand.replace(coupling.hand) else {
-            // Where the spring is pressed already, it may give that back.
-            self.energy = stored(coupling);
             return coupling.force;
         };
         // A device that says it can show every spring, such as a script, takes all that is made.
@@ -141,6 +138,9 @@ impl Passivity {
         self.listen(coupling);
         self.book(step, dt);
         self.forget(coupling);
+        if std::mem::take(&mut self.is_new) {
+            self.open(coupling);
+        }
         if self.energy >= -ROUNDING * self.turnover {
             return coupling.force;
         }
@@ -184,13 +184,23 @@ impl Passivity {
         self.turnover += taken.min(work.abs()) + work.abs();
     }
 
-    /// No more stands on the account than the spring can give back, and what the damping took in the
-    /// ticks whose forces are still under way. Once nothing has pushed for a while nothing is owed
-    /// either.
-    fn forget(&mut self, coupling: &Coupling) {
+    /// Opens a new account: what a spring that is pressed already may give back stands on it.
+    fn open(&mut self, coupling: &Coupling) {
+        self.energy = self.most(coupling);
+        self.turnover = self.energy;
+    }
+
+    /// What may stand on the account at the most: what the spring can give back, and what the damping
+    /// took in the ticks whose forces are still under way.
+    fn most(&self, coupling: &Coupling) -> f64 {
         let under_way: f64 = self.taken[..self.delay].iter().sum();
-        let most = stored(coupling) + under_way;
-        self.energy = self.energy.min(most);
+        stored(coupling) + under_way
+    }
+
+    /// What is more than may stand on the account is dropped. Once nothing has pushed for a while
+    /// nothing is owed either.
+    fn forget(&mut self, coupling: &Coupling) {
+        self.energy = self.energy.min(self.most(coupling));
         if self.quiet_seconds > MEMORY {
             self.energy = self.energy.max(0.0);
             self.turnover = 0.0;

@@ -93,9 +93,8 @@ impl Servo {
             return Err(Fault::GridDamaged);
         }
         self.latest.force = self.safety.send(wanted, time, dt)?.newtons;
-        if self.safety.passes_whole() {
-            self.passivity.sent(self.latest.force);
-        } else {
+        self.passivity.sent(self.latest.force);
+        if !self.safety.passes_whole() {
             self.passivity.begin();
         }
         Ok(())

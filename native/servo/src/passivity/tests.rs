@@ -130,16 +130,16 @@ fn a_force_that_is_cut_owes_what_it_took() {
 fn a_force_from_nowhere_is_found_active_and_left_alone() {
     let mut passivity = Passivity::new(1.0, 0);
     for tick in 0..100 {
-        // Pushed along by 1 N at 0.1 m/s: more than the damping takes.
+        // Pushed along by 1 N at 0.1 m/s: more than the damping takes. The first way opens the account.
         let hand = [1e-4 * f64::from(tick), 0.0, 0.0];
         let force = [1.0, 0.0, 0.0];
         let coupling = Coupling { hand, force, stretch: 0.0, stiffness: 500.0, dt: 1e-3 };
         assert_eq!(passivity.tick(&coupling), force);
         passivity.sent(force);
     }
-    assert_eq!(passivity.active_ticks(), 99);
+    assert_eq!(passivity.active_ticks(), 98);
     passivity.begin();
-    assert_eq!(passivity.active_ticks(), 99, "counts stay");
+    assert_eq!(passivity.active_ticks(), 98, "counts stay");
 }
 
 #[test]
