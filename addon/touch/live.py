@@ -33,6 +33,10 @@ class Readout:
     """Newtons."""
     ticks: int
     missed_ticks: int
+    held: str | None
+    """Why the force is away, or not yet wholly back, as ``State.held`` has it."""
+    warnings: tuple[str, ...]
+    """What the safety chain did since touch began, in words."""
 
 
 @dataclass(frozen=True)

@@ -104,4 +104,6 @@ def _readout(touch: Touch, state: State) -> Readout:
         force=math.hypot(*state.force),
         ticks=statistics.ticks,
         missed_ticks=statistics.missed_ticks,
+        held=state.held,
+        warnings=tuple(touch.session.warnings()),
     )
