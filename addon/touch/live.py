@@ -41,6 +41,10 @@ class Readout:
     """Microseconds that the servo woke up late, exceeded in one tick of a hundred."""
     priority: str
     """How the system schedules the servo, in words."""
+    held: str | None
+    """Why the force is away, or not yet wholly back, as ``State.held`` has it."""
+    warnings: tuple[str, ...]
+    """What the safety chain did since touch began, in words."""
 
 
 @dataclass(frozen=True)

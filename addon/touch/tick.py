@@ -108,4 +108,6 @@ def _readout(touch: Touch, state: State) -> Readout:
         worst_load=statistics.load(0.999),
         late_us=statistics.late_us(0.99),
         priority=touch.session.priority,
+        held=state.held,
+        warnings=tuple(touch.session.warnings()),
     )

@@ -111,7 +111,11 @@ pub enum DeviceError {
 /// A haptic device. In every tick the servo reads once, then writes once.
 ///
 /// `read` and `write` are called from a thread that must not wait: an implementation does not
-/// allocate, lock or log in them, and gives up after its own short timeout.
+/// allocate, lock or log in them, and gives up after its own short timeout: while it waits, the
+/// motors keep the force that they were told last.
+///
+/// An error gives no force in that tick. [`DeviceError::Timeout`] and [`DeviceError::Protocol`] are
+/// forgiven twice in a row and nine times a second; the others end touch.
 pub trait Device: Send {
     /// What the device can do.
     fn capabilities(&self) -> Capabilities;

@@ -207,7 +207,8 @@ impl Session {
                         self.place = Place::Live(live);
                         Ok(())
                     }
-                    Err((error, engine)) => {
+                    Err((error, mut engine)) => {
+                        engine.servo().watch_host(None);
                         self.place = Place::Here(engine);
                         Err(SessionError::Thread(error))
                     }

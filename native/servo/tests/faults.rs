@@ -29,5 +29,6 @@ fn without_any_one_stage_a_promise_is_broken() {
     for stage in Stage::ALL {
         let report = run_without(stage, SEQUENCES_WITHOUT, SEED);
         assert_ne!(report.broken, [] as [String; 0], "{stage:?} is not needed");
+        assert!(report.survived < report.injected, "no fault needs {stage:?}");
     }
 }

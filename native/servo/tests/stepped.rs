@@ -5,7 +5,7 @@ mod common;
 use common::*;
 use contact::Feature;
 use devices::{DeviceError, Hand, SimulatedDevice};
-use servo::{Fault, Session, SessionError, Settings, TickRecord, Window};
+use servo::{Fault, Held, Session, SessionError, Settings, TickRecord, Window};
 use surface::GridPoint;
 
 fn rolling_hills(column: u32, row: u32) -> f64 {
@@ -336,6 +336,36 @@ fn dropping_a_stepped_session_leaves_no_force() {
 }
 
 #[test]
+fn the_last_zero_force_is_tried_again_where_the_device_refuses_it() {
+    let log = Log::default();
+    let mut device = Watched::pressing(&log);
+    // The hundredth force and the next one are refused: they are the first two tries of the end.
+    device.refused_writes = 100..102;
+    let mut session = session(device, proxy_graph());
+    session.step(100).unwrap();
+    assert!(log.last_force()[2] > 0.0);
+    drop(session);
+    assert_eq!(log.forces().len(), 103);
+    assert_eq!(log.last_force(), [0.0; 3]);
+    assert!(log.dropped());
+}
+
+#[test]
+fn a_write_that_fails_is_made_good_in_the_same_tick() {
+    let log = Log::default();
+    let mut device = Watched::pressing(&log);
+    device.refused_writes = 80..81;
+    let mut session = session(device, proxy_graph());
+    session.step(81).unwrap();
+    assert_eq!(session.state().force, [0.0; 3]);
+    assert!(log.forces()[80][2] > 0.0 && log.forces()[81] == [0.0; 3]);
+    assert_eq!(session.state().held, Some(Held::Device));
+    session.step(200).unwrap();
+    assert_eq!(session.state().held, None);
+    assert!((log.last_force()[2] - 5.0).abs() < 1e-9);
+}
+
+#[test]
 fn bad_settings_are_refused_by_name() {
     let good = Settings::default();
     let bad = [
@@ -345,6 +375,10 @@ fn bad_settings_are_refused_by_name() {
         (Settings { ring_seconds: 0.0, ..good }, "ring_seconds"),
         (Settings { ring_seconds: 1e12, ..good }, "ring_seconds"),
         (Settings { ring_seconds: f64::NAN, ..good }, "ring_seconds"),
+        (Settings { max_slew: -1.0, ..good }, "max_slew"),
+        (Settings { max_speed: 0.0, ..good }, "max_speed"),
+        (Settings { stale_after: Some(0.0), ..good }, "stale_after"),
+        (Settings { stale_after: Some(f64::INFINITY), ..good }, "stale_after"),
     ];
     for (settings, name) in bad {
         let device = SimulatedDevice::new(Hand::default()).unwrap();

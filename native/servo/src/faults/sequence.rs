@@ -43,21 +43,23 @@ pub(super) fn play(random: &mut Random, off: Option<Stage>) -> Vec<Outcome> {
             outcomes.push(stage.inject(random, kind));
         }
     }
-    outcomes.push(stage.inject(random, last));
-    outcomes.push(stage.drop_session());
+    // How the session ends, and whether the next one starts, belongs to what happened to it last.
+    let mut end = stage.inject(random, last);
+    end.broken.append(&mut stage.drop_session());
     if last.ends_touch_with().is_some() {
-        outcomes.push(next_start(random, off));
+        end.broken.append(&mut next_start(random, off));
     }
+    outcomes.push(end);
     outcomes
 }
 
 /// After a fault that ended touch, another session is as good as the first.
-fn next_start(random: &mut Random, off: Option<Stage>) -> Outcome {
+fn next_start(random: &mut Random, off: Option<Stage>) -> Vec<String> {
     let mut play = Play::new(random, off, false);
     play.go(RECOVERY, &mut Known::default);
     let largest = play.judge.largest;
     play.judge.demand(largest > 0.0, || "the next start feels nothing".to_owned());
-    play.outcome(None)
+    play.judge.broken
 }
 
 /// A hand that swings through the ground, slower than 1 m/s.
@@ -379,15 +381,13 @@ impl Play {
     }
 
     /// Drops the session where it is, and sees what the device was told last.
-    fn drop_session(mut self) -> Outcome {
-        let outcome = self.outcome(None);
+    fn drop_session(self) -> Vec<String> {
         let Play { session, device, mut judge, .. } = self;
         drop(session);
-        let writes = std::mem::take(&mut device.lock().writes);
-        let last = writes.last().copied();
+        let last = device.lock().writes.last().copied();
         let is_kept = last == Some(([0.0; 3], 0.0));
         judge.demand(is_kept, || format!("{last:?} was the last thing sent"));
-        Outcome { broken: [outcome.broken, judge.broken].concat(), ..outcome }
+        judge.broken
     }
 }
 

@@ -243,7 +243,8 @@ impl Safety {
 
     /// Sends zero force, at once and whatever happened before.
     pub(crate) fn release(&mut self) {
-        self.gate.engage();
+        self.gate = Gate::default();
+        self.held = None;
         self.slew.cut();
         self.speed.forget();
         self.host.begin();

@@ -17,20 +17,23 @@ pub enum Warning {
     },
     /// The host was silent.
     #[error(
-        "The force was taken away {0} times because Blender, or the program that touches, did not \
-         answer for a while: let go of the surface before long work."
+        "The force was taken away {} because Blender, or the program that touches, did not answer \
+         for a while: let go of the surface before long work.",
+        often(.0)
     )]
     Host(u64),
     /// Ticks were missed.
     #[error(
-        "The force was taken away {0} times because the computer was too busy to keep time: close \
-         other programs."
+        "The force was taken away {} because the computer was too busy to keep time: close other \
+         programs.",
+        often(.0)
     )]
     Late(u64),
     /// The hand was too fast.
     #[error(
-        "The force was taken away {times} times because the handle moved faster than {max_speed:.1} \
-         m/s: hold it, and calibrate the device if you did."
+        "The force was taken away {} because the handle moved faster than {max_speed:.1} m/s: hold \
+         it, and calibrate the device if you did.",
+        often(.times)
     )]
     Speed {
         /// Times.
@@ -40,13 +43,15 @@ pub enum Warning {
     },
     /// The device failed.
     #[error(
-        "The device failed {0} times and was forgiven: check its cable, and use no hub between."
+        "The device failed {} and was forgiven: check its cable, and use no hub between.",
+        often(.0)
     )]
     Device(u64),
     /// Something was no number.
     #[error(
-        "{0} times a position or a force was not a number, and no force was given: calibrate the \
-         device, and report it if that does not help."
+        "A position or a force was not a number {}, and no force was given: calibrate the device, \
+         and report it if that does not help.",
+        often(.0)
     )]
     NotFinite(u64),
     /// The force was cut.
@@ -69,8 +74,15 @@ pub enum Warning {
         seconds: f64,
     },
     /// Ticks were lost to recordings.
-    #[error("{0} ticks were lost to recordings because nobody fetched them in time.")]
+    #[error("Ticks were lost to recordings {}, because nobody fetched them in time.", often(.0))]
     Dropped(u64),
+}
+
+fn often(count: &u64) -> String {
+    match count {
+        1 => "once".to_owned(),
+        _ => format!("{count} times"),
+    }
 }
 
 impl Warning {
@@ -131,7 +143,8 @@ mod tests {
         let told: Vec<String> =
             Warning::all(&limits, &totals).iter().map(ToString::to_string).collect();
         assert_eq!(told.len(), 3);
-        assert!(told[0].contains("2 times because Blender"), "{}", told[0]);
+        assert!(told[0].contains("taken away 2 times because Blender"), "{}", told[0]);
+        assert_eq!(often(&1), "once");
         assert!(told[1].contains("from 500 to 300 N/m"), "{}", told[1]);
         assert!(told[2].contains("limit of 8.0 N for 1.5 s"), "{}", told[2]);
     }

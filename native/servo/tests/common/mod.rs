@@ -3,6 +3,7 @@
 // Every test file uses its own part of this.
 #![allow(dead_code)]
 
+use std::ops::Range;
 use std::sync::{Arc, Mutex};
 
 use contact::{Contact, ContactModel, Counters, Feature, Proxy, ProxyGraph};
@@ -104,6 +105,9 @@ pub struct Watched {
     log: Log,
     answer: Answer,
     reads: usize,
+    writes: usize,
+    /// By number, from 0.
+    pub refused_writes: Range<usize>,
     pub capabilities: Capabilities,
 }
 
@@ -117,6 +121,8 @@ impl Watched {
             log: log.clone(),
             answer: Box::new(answer),
             reads: 0,
+            writes: 0,
+            refused_writes: 0..0,
             capabilities: Capabilities {
                 max_force: 8.0,
                 ..Capabilities::unlimited([0.16, 0.12, 0.12])
@@ -144,7 +150,11 @@ impl Device for Watched {
 
     fn write(&mut self, force: Force, dt: f64) -> Result<(), DeviceError> {
         self.log.add(Seen::Write(force.newtons, dt));
-        Ok(())
+        self.writes += 1;
+        match self.refused_writes.contains(&(self.writes - 1)) {
+            true => Err(DeviceError::Timeout("not sent".into())),
+            false => Ok(()),
+        }
     }
 
     fn set_target(&mut self, target: [f64; 3]) {
