@@ -377,6 +377,9 @@ class Statistics:
     def clamped(self) -> int:
         """Ticks whose force was cut to the limit."""
     @property
+    def active_ticks(self) -> int:
+        """Ticks in which the spring had given the hand more energy than it took (passivity observer)."""
+    @property
     def dropped(self) -> int:
         """Ticks that found the ring full; they are lost to recordings."""
     @property
