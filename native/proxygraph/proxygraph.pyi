@@ -408,6 +408,9 @@ class Statistics:
     def engaged(self) -> int:
         """Times that the proxy was placed at the hand."""
     @property
+    def active_ticks(self) -> int:
+        """Ticks in which the spring had given the hand more energy than it took (passivity observer)."""
+    @property
     def dropped(self) -> int:
         """Ticks that found the ring full; they are lost to recordings."""
     @property

@@ -191,6 +191,11 @@ impl Statistics {
     }
 
     #[getter]
+    fn active_ticks(&self) -> u64 {
+        self.statistics.totals.active_ticks
+    }
+
+    #[getter]
     fn dropped(&self) -> u64 {
         self.statistics.totals.dropped
     }

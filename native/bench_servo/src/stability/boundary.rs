@@ -15,10 +15,10 @@ pub struct Boundary {
     pub passive: f64,
     /// Of this plant, exactly.
     pub exact: f64,
-    /// Ticks in which the observer found a spring active that was no stiffer than the passive bound.
+    /// Ticks with springs that were no stiffer than the passive bound.
+    pub passive_ticks: u64,
+    /// Those in which the observer found such a spring active.
     pub false_alarms: u64,
-    /// Ticks done.
-    pub ticks: u64,
 }
 
 impl Boundary {
@@ -28,17 +28,18 @@ impl Boundary {
         let plant = trial.plant();
         let passive = plant.passive_bound();
         let (mut stable, mut unstable) = (0.25 * passive, 8.0 * passive);
-        let (mut false_alarms, mut ticks) = (0, 0);
+        let (mut false_alarms, mut passive_ticks) = (0, 0);
         for _ in 0..HALVINGS {
             let middle = (stable * unstable).sqrt();
             let outcome = trial.run(middle)?;
-            ticks += outcome.ticks;
             if middle <= passive {
+                passive_ticks += outcome.ticks;
                 false_alarms += outcome.active_ticks;
             }
             if outcome.is_stable { stable = middle } else { unstable = middle }
         }
-        Ok(Self { measured: stable, passive, exact: plant.exact_boundary(), false_alarms, ticks })
+        let exact = plant.exact_boundary();
+        Ok(Self { measured: stable, passive, exact, passive_ticks, false_alarms })
     }
 
     /// Measured over the passive bound.

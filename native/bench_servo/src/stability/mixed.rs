@@ -24,22 +24,17 @@ pub fn measure(figures: &mut Figures) -> Result<(), Box<dyn Error>> {
         "\n==== A wall and a slope of {RISE} at once, each at {SHARE} of the stable stiffness, {RATE} Hz, b {DAMPING} N s/m"
     );
     let slope = Ground::plane(RISE)?;
-    let corner = |delay, wall| Trial {
-        // A little above the corner, and pressed against both.
-        start: [WALL - 1e-3, 0.0, RISE * WALL + 2e-3],
-        aim: [WALL, 0.0, RISE * WALL],
-        press: [2.0 * DEPTH, 0.0, -0.2 * DEPTH],
-        wall,
-        ..pressed(&slope, weight(), DAMPING, delay)
-    };
     let (mut plain_worst, mut mixed_worst): (f64, f64) = (f64::INFINITY, 0.0);
     for delay in DELAYS {
         let run = |wall| {
-            let trial = corner(delay, wall);
+            let trial = corner(&slope, delay, wall);
             trial.last(SHARE * trial.plant().passive_bound())
         };
-        let (alone, plain) = (run(Wall::None)?, run(Wall::Added(WALL))?);
-        let mixed = run(Wall::Mixed(WALL))?;
+        let (plain, mixed) = (run(Wall::Added(WALL))?, run(Wall::Mixed(WALL))?);
+        // Straight into the slope, or the hand would slide off it.
+        let press = [DEPTH * RISE / RISE.hypot(1.0), 0.0, -DEPTH / RISE.hypot(1.0)];
+        let alone = Trial { press, ..corner(&slope, delay, Wall::None) };
+        let alone = alone.last(SHARE * alone.plant().passive_bound())?;
         println!(
             "{delay} late: slope alone {}; added {}; mixed {}",
             told(&alone),
@@ -67,6 +62,17 @@ Not shown: walls that meet in a corner with the surface (the mixing room's prope
     Ok(())
 }
 
+/// A little above the corner of wall and slope, and pressed against both.
+fn corner(slope: &Ground, delay: u32, wall: Wall) -> Trial<'_> {
+    Trial {
+        start: [WALL - 1e-3, 0.0, RISE * WALL + 2e-3],
+        aim: [WALL, 0.0, RISE * WALL],
+        press: [2.0 * DEPTH, 0.0, -0.2 * DEPTH],
+        wall,
+        ..pressed(slope, weight(), DAMPING, delay)
+    }
+}
+
 /// A spring beyond the bound, with and without the controller.
 pub fn measure_control(flat: &Ground, figures: &mut Figures) -> Result<(), Box<dyn Error>> {
     println!(
@@ -83,12 +89,15 @@ pub fn measure_control(flat: &Ground, figures: &mut Figures) -> Result<(), Box<d
         worst = worst.max(with.swing / without.swing);
         figures.set(format!("uncontrolled_limit_cycle_mm_d{delay}"), without.swing * 1e3);
         figures.set(format!("controlled_limit_cycle_mm_d{delay}"), with.swing * 1e3);
+        let active = without.active_ticks as f64 / without.ticks as f64;
+        figures.set(format!("observer_active_share_beyond_bound_d{delay}"), active);
     }
     figures.set("controlled_limit_cycle_share", worst);
     println!(
         "\
-The controller (Hannaford and Ryu 2002) evens what the observer finds owed; it makes a cycle smaller and no hand
-heavier than the device's own damping does, and is no leave to go beyond the bound. Off unless asked for."
+Active: ticks in which the observer finds that the spring has given more than it took. The controller (Hannaford and
+Ryu 2002) evens that with at most as much damping as the device has itself: the cycle becomes smaller, and does not
+end. It is no leave to go beyond the bound, and off unless asked for."
     );
     Ok(())
 }
@@ -104,4 +113,24 @@ fn told(outcome: &Outcome) -> String {
         outcome.active_ticks,
         outcome.ticks
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn swing_at(share: f64, wall: Wall) -> f64 {
+        let slope = Ground::plane(RISE).unwrap();
+        let trial = corner(&slope, 0, wall);
+        trial.last(share * trial.plant().passive_bound()).unwrap().swing
+    }
+
+    #[test]
+    fn wall_and_slope_added_are_stable_up_to_half_the_bound_and_mixed_up_to_the_bound() {
+        let two_counts = 2.0 * COUNT * (1.0 + 1e-9);
+        assert!(swing_at(0.4, Wall::Added(WALL)) <= two_counts);
+        assert!(swing_at(0.6, Wall::Added(WALL)) > 1e-3);
+        assert!(swing_at(SHARE, Wall::Mixed(WALL)) <= two_counts);
+        assert!(swing_at(1.1, Wall::Mixed(WALL)) > 1e-3);
+    }
 }
