@@ -180,7 +180,8 @@ bench-contact-large: cargo ## The same walk on 2 and 10 thousand million triangl
 .PHONY: bench-servo
 bench-servo: cargo $(PACKAGES) ## Measure the servo: how stiff it can be in closed loop
 	@mkdir -p $(BENCH)
-	@cargo run --quiet --release --manifest-path native/Cargo.toml --package servo_bench -- --output $(BENCH)
+	@cargo run --quiet --release --manifest-path native/Cargo.toml --package servo_bench -- --output $(BENCH) \
+		--mesh "$(BIN)/python tests/bench/build_meshes.py"
 	@$(BIN)/python tests/bench/draw_stability.py $(BENCH)/servo.json $(BENCH)/stability.png
 
 # ---------------------------------------------------------------- the extension

@@ -3,6 +3,11 @@
 //! One file for each part; a part prints its tables, says what they do not show, and adds its
 //! figures to one report, which goes to `servo.json` in the output folder.
 
+mod allocations;
+mod busy;
+mod faults;
+mod lateness;
+mod load;
 mod options;
 mod stability;
 
@@ -14,13 +19,22 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 /// Measures one thing, prints it, and keeps its figures.
-type Part = fn(&mut Figures) -> Result<(), Box<dyn Error>>;
+type Part = fn(&Options, &mut Figures) -> Result<(), Box<dyn Error>>;
+
+#[global_allocator]
+static ALLOCATOR: allocations::Counting = allocations::Counting;
 
 /// What is measured, in this order.
-const PARTS: [(&str, Part); 1] = [("stability", stability::measure)];
+const PARTS: [(&str, Part); 5] = [
+    ("stability", |_, figures| stability::measure(figures)),
+    ("faults", |_, figures| faults::measure(figures)),
+    ("allocations", |_, figures| allocations::measure(figures)),
+    ("load", load::measure),
+    ("lateness", lateness::measure),
+];
 
 /// Figures that count, and what they should be.
-const GOALS: [(&str, &str); 10] = [
+const GOALS: [(&str, &str); 20] = [
     ("stable_stiffness_over_theory", ">= 0.9"),
     ("stable_stiffness_over_theory_d0", ">= 0.9"),
     ("stable_stiffness_over_theory_d1", ">= 0.9"),
@@ -31,6 +45,16 @@ const GOALS: [(&str, &str); 10] = [
     ("mixed_attenuated_limit_cycle_counts", "<= 2"),
     ("observer_false_alarms", "0"),
     ("controlled_limit_cycle_share", "< 1"),
+    ("faults_injected", ">= 1000"),
+    ("faults_survived", "all"),
+    ("force_after_fault_max_n", "0"),
+    ("tick_allocations", "0"),
+    ("load_share_swipe_max", "<= 0.25: the paper's bound; 0.01"),
+    ("lateness_p99_over_bare_idle", "<= 1.5"),
+    ("lateness_p99_over_bare_loaded", "reported"),
+    ("lateness_p99_over_bare_blender", "reported"),
+    ("missed_share_idle", "reported"),
+    ("missed_share_loaded", "reported"),
 ];
 
 fn main() -> ExitCode {
@@ -63,7 +87,7 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     machine.note(&mut figures);
     for (name, measure) in PARTS {
         eprintln!("[bench] {name}");
-        measure(&mut figures)?;
+        measure(options, &mut figures)?;
     }
     print_goals(&figures);
     figures.set("seconds", began.elapsed().as_secs_f64().round());

@@ -68,11 +68,25 @@ impl Histogram {
 }
 
 /// A copy of a histogram at one moment.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Distribution {
+    /// Empty where nothing was ever counted.
     counts: Box<[u64]>,
     /// Nanoseconds.
     sum: u64,
+}
+
+impl std::ops::AddAssign for Distribution {
+    fn add_assign(&mut self, other: Distribution) {
+        if self.counts.is_empty() {
+            self.counts = other.counts;
+        } else {
+            for (count, more) in self.counts.iter_mut().zip(&other.counts) {
+                *count += more;
+            }
+        }
+        self.sum += other.sum;
+    }
 }
 
 impl Distribution {

@@ -1,9 +1,11 @@
 //! The servo: once a millisecond it reads the hand, moves the proxy and answers with a force.
 //!
-//! From the inside out: the safety chain alone has the device; a [`Servo`] does one tick; an engine around it takes commands and gives
-//! records; [`Session`] runs the engine, either on a thread of its own at 1 kHz or step by step.
-//! Both ways run the same code, and nothing in a tick waits, allocates, locks or logs.
+//! From the inside out: the safety chain alone has the device; a [`Servo`] does one tick; an engine
+//! around it takes commands and gives records; [`Session`] runs the engine, either on a thread of its
+//! own at 1 kHz or step by step. Both ways run the same code, and nothing in a tick waits, allocates, locks or logs.
 
+#[cfg(feature = "test-hooks")]
+pub mod bare;
 mod clock;
 mod command;
 mod deadlines;
