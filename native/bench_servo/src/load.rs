@@ -45,6 +45,9 @@ const WORKSPACE: [f64; 3] = [0.16, 0.12, 0.12];
 const DEPTH: f64 = 0.6;
 const HEIGHT: f64 = 10.0;
 
+/// Ticks over the ground before: a hand that begins inside it touches nothing.
+const BEFORE: u32 = 100;
+
 /// Measures both models on all sizes.
 pub fn measure(options: &Options, figures: &mut Figures) -> Result<(), Box<dyn Error>> {
     println!(
@@ -116,6 +119,7 @@ fn run(grid: &Arc<Grid>, model: &Model, height: f64) -> Result<Statistics, Box<d
         let rows = 0.3 * columns;
         let place = GridPoint::from_sample(middle.column, middle.row, columns, rows, 0.0);
         let ground = grid.surface_elevation(&place).unwrap_or(0.0);
+        let height = if tick < BEFORE { HEIGHT } else { height };
         let up = ground + height * cell;
         let position = [columns * cell * scale, -rows * cell * scale, up * scale];
         PathPoint { time: f64::from(tick) * 1e-3, position }
