@@ -51,6 +51,10 @@ pub(crate) struct Passivity {
     /// Ticks from a write to the force.
     delay: usize,
     controls: bool,
+    /// What the last tick asked to be sent, newtons.
+    asked: [f64; 3],
+    /// Ticks for which forces still act that were not sent as asked.
+    disturbed_ticks: usize,
     /// Sent forces, the newest first: newtons.
     sent: [[f64; 3]; LONGEST_DELAY + 1],
     /// What the damping took in the last ticks, the newest first: joules.
@@ -77,6 +81,8 @@ impl Passivity {
             damping,
             delay: usize::try_from(delay_ticks).unwrap_or(LONGEST_DELAY).min(LONGEST_DELAY),
             controls: false,
+            asked: [0.0; 3],
+            disturbed_ticks: 0,
             sent: [[0.0; 3]; LONGEST_DELAY + 1],
             taken: [0.0; LONGEST_DELAY + 1],
             hand: None,
@@ -108,6 +114,8 @@ impl Passivity {
     pub(crate) fn begin(&mut self) {
         self.sent = [[0.0; 3]; LONGEST_DELAY + 1];
         self.taken = [0.0; LONGEST_DELAY + 1];
+        self.asked = [0.0; 3];
+        self.disturbed_ticks = 0;
         self.hand = None;
         self.energy = 0.0;
         self.turnover = 0.0;
@@ -116,6 +124,11 @@ impl Passivity {
     /// Keeps the account of one tick. Gives the force to send: as it is wanted, or with damping where
     /// that is asked for and the account is negative.
     pub(crate) fn tick(&mut self, coupling: &Coupling) -> [f64; 3] {
+        self.asked = self.answer(coupling);
+        self.asked
+    }
+
+    fn answer(&mut self, coupling: &Coupling) -> [f64; 3] {
         // A real hand has moved since the last tick, a simulated one for as long as that tick was told
         // to last. Damping takes less in more time, so the longer of the two is the careful choice.
         let dt = coupling.dt.max(std::mem::replace(&mut self.dt, coupling.dt));
@@ -128,12 +141,12 @@ impl Passivity {
         }
         let step: [f64; 3] = std::array::from_fn(|axis| coupling.hand[axis] - before[axis]);
         self.listen(coupling);
-        self.book(step, dt);
-        self.forget(coupling);
+        let gives = self.book(step, dt);
+        self.square(coupling);
         if self.energy >= -ROUNDING * self.turnover {
             return coupling.force;
         }
-        self.active_ticks += u64::from(self.spring_acts());
+        self.active_ticks += u64::from(gives && self.spring_acts());
         if !self.controls {
             return coupling.force;
         }
@@ -142,6 +155,9 @@ impl Passivity {
 
     /// What was sent after the tick, newtons.
     pub(crate) fn sent(&mut self, force: [f64; 3]) {
+        if force != self.asked {
+            self.disturbed_ticks = self.delay + 2;
+        }
         self.sent[..=self.delay].rotate_right(1);
         self.sent[0] = force;
     }
@@ -161,8 +177,9 @@ impl Passivity {
         self.quiet_ticks <= self.delay + 1
     }
 
-    /// Work of the force that acted, and of the damping, on the way of the last tick.
-    fn book(&mut self, step: [f64; 3], dt: f64) {
+    /// Work of the force that acted, and of the damping, on the way of the last tick; whether the
+    /// force gave more than the damping took.
+    fn book(&mut self, step: [f64; 3], dt: f64) -> bool {
         let work = dot(self.sent[self.delay], step);
         // What the damping takes in the air pays for nothing.
         let counts = dt > 0.0 && self.spring_acts();
@@ -171,15 +188,21 @@ impl Passivity {
         self.taken[0] = taken;
         self.energy += taken - work;
         self.turnover += taken.min(work.abs()) + work.abs();
+        work > taken
     }
 
     /// No more stands on the account than the spring can give back, and what the damping took in the
     /// ticks whose forces are still under way. Once nothing has pushed for a while nothing is owed
-    /// either.
-    fn forget(&mut self, coupling: &Coupling) {
+    /// either. And where a force was not sent as asked (ramped in, limited in its change), another
+    /// spring was felt than this one: its account begins anew.
+    fn square(&mut self, coupling: &Coupling) {
         let under_way: f64 = self.taken[..self.delay].iter().sum();
         let most = stored(coupling) + under_way;
         self.energy = self.energy.min(most);
+        if self.disturbed_ticks > 0 {
+            self.disturbed_ticks -= 1;
+            self.energy = most;
+        }
         if self.quiet_seconds > MEMORY {
             self.energy = self.energy.max(0.0);
             self.turnover = 0.0;

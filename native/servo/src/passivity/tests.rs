@@ -153,3 +153,39 @@ fn a_device_without_a_limit_is_not_judged() {
     }
     assert_eq!(passivity.active_ticks(), 0);
 }
+
+#[test]
+fn a_spring_that_is_ramped_in_is_not_blamed() {
+    let mut passivity = Passivity::new(1.0, 0);
+    for tick in 0..200u32 {
+        // Rises into the wall, and out of it again with the whole force.
+        let depth = 0.001 * (0.02 * f64::from(tick)).sin().max(0.0);
+        let force = [0.0, 0.0, 500.0 * depth];
+        let hand = [0.0, 0.0, -depth];
+        let coupling = Coupling { hand, force, stretch: depth, stiffness: 500.0, dt: 1e-3 };
+        passivity.tick(&coupling);
+        let open = (f64::from(tick) / 60.0).min(1.0);
+        passivity.sent(force.map(|newtons| newtons * open));
+    }
+    assert_eq!(passivity.active_ticks(), 0);
+}
+
+#[test]
+fn a_hand_at_rest_is_given_nothing() {
+    let mut passivity = Passivity::new(1.0, 0);
+    let mut push = |x: f64| {
+        let coupling = Coupling {
+            hand: [x, 0.0, 0.0],
+            force: [1.0, 0.0, 0.0],
+            stretch: 0.0,
+            stiffness: 500.0,
+            dt: 1e-3,
+        };
+        let force = passivity.tick(&coupling);
+        passivity.sent(force);
+        passivity.active_ticks()
+    };
+    push(0.0);
+    assert_eq!(push(1e-4), 1);
+    assert_eq!(push(1e-4), 1);
+}
