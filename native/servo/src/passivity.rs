@@ -59,6 +59,10 @@ pub(crate) struct Passivity {
     /// Ticks from a write to the force.
     delay: usize,
     controls: bool,
+    /// What the last tick asked to be sent, newtons.
+    asked: [f64; 3],
+    /// Ticks for which forces still act that were not sent as asked.
+    disturbed_ticks: usize,
     /// Sent forces, the newest first: newtons.
     sent: [[f64; 3]; LONGEST_DELAY + 1],
     /// What the damping took in the last ticks, the newest first: joules.
@@ -71,8 +75,6 @@ pub(crate) struct Passivity {
     energy: f64,
     /// Joules summed without their signs.
     turnover: f64,
-    /// The account is opened in the next tick.
-    is_new: bool,
     /// Ticks and seconds since the spring pushed.
     quiet_ticks: usize,
     quiet_seconds: f64,
@@ -87,13 +89,14 @@ impl Passivity {
             damping,
             delay: usize::try_from(delay_ticks).unwrap_or(LONGEST_DELAY).min(LONGEST_DELAY),
             controls: false,
+            asked: [0.0; 3],
+            disturbed_ticks: 0,
             sent: [[0.0; 3]; LONGEST_DELAY + 1],
             taken: [0.0; LONGEST_DELAY + 1],
             hand: None,
             dt: 0.0,
             energy: 0.0,
             turnover: 0.0,
-            is_new: true,
             quiet_ticks: 0,
             quiet_seconds: 0.0,
             active_ticks: 0,
@@ -115,15 +118,25 @@ impl Passivity {
         self.active_ticks
     }
 
-    /// Begins anew with the next tick. While forces are ramped in or out they are not the spring's:
-    /// one that grows under a hand at rest makes energy, whatever its stiffness.
+    /// Begins anew, as if nothing had been touched.
     pub(crate) fn begin(&mut self) {
-        self.is_new = true;
+        self.sent = [[0.0; 3]; LONGEST_DELAY + 1];
+        self.taken = [0.0; LONGEST_DELAY + 1];
+        self.asked = [0.0; 3];
+        self.disturbed_ticks = 0;
+        self.hand = None;
+        self.energy = 0.0;
+        self.turnover = 0.0;
     }
 
     /// Keeps the account of one tick. Gives the force to send: as it is wanted, or with damping where
     /// that is asked for and the account is negative.
     pub(crate) fn tick(&mut self, coupling: &Coupling) -> [f64; 3] {
+        self.asked = self.answer(coupling);
+        self.asked
+    }
+
+    fn answer(&mut self, coupling: &Coupling) -> [f64; 3] {
         // A real hand has moved since the last tick, a simulated one for as long as that tick was told
         // to last. Damping takes less in more time, so the longer of the two is the careful choice.
         let dt = coupling.dt.max(std::mem::replace(&mut self.dt, coupling.dt));
@@ -136,15 +149,12 @@ impl Passivity {
         }
         let step: [f64; 3] = std::array::from_fn(|axis| coupling.hand[axis] - before[axis]);
         self.listen(coupling);
-        self.book(step, dt);
-        self.forget(coupling);
-        if std::mem::take(&mut self.is_new) {
-            self.open(coupling);
-        }
+        let gives = self.book(step, dt);
+        self.square(coupling);
         if self.energy >= -ROUNDING * self.turnover {
             return coupling.force;
         }
-        self.active_ticks += u64::from(self.spring_acts());
+        self.active_ticks += u64::from(gives && self.spring_acts());
         if !self.controls {
             return coupling.force;
         }
@@ -153,6 +163,9 @@ impl Passivity {
 
     /// What was sent after the tick, newtons.
     pub(crate) fn sent(&mut self, force: [f64; 3]) {
+        if force != self.asked {
+            self.disturbed_ticks = self.delay + 2;
+        }
         self.sent[..=self.delay].rotate_right(1);
         self.sent[0] = force;
     }
@@ -172,8 +185,9 @@ impl Passivity {
         self.quiet_ticks <= self.delay + 1
     }
 
-    /// Work of the force that acted, and of the damping, on the way of the last tick.
-    fn book(&mut self, step: [f64; 3], dt: f64) {
+    /// Work of the force that acted, and of the damping, on the way of the last tick; whether the
+    /// force gave more than the damping took.
+    fn book(&mut self, step: [f64; 3], dt: f64) -> bool {
         let work = dot(self.sent[self.delay], step);
         // What the damping takes in the air pays for nothing.
         let counts = dt > 0.0 && self.spring_acts();
@@ -182,25 +196,21 @@ impl Passivity {
         self.taken[0] = taken;
         self.energy += taken - work;
         self.turnover += taken.min(work.abs()) + work.abs();
+        work > taken
     }
 
-    /// Opens a new account: what a spring that is pressed already may give back stands on it.
-    fn open(&mut self, coupling: &Coupling) {
-        self.energy = self.most(coupling);
-        self.turnover = self.energy;
-    }
-
-    /// What may stand on the account at the most: what the spring can give back, and what the damping
-    /// took in the ticks whose forces are still under way.
-    fn most(&self, coupling: &Coupling) -> f64 {
+    /// No more stands on the account than the spring can give back, and what the damping took in the
+    /// ticks whose forces are still under way. Once nothing has pushed for a while nothing is owed
+    /// either. And where a force was not sent as asked (ramped in, limited in its change), another
+    /// spring was felt than this one: its account begins anew.
+    fn square(&mut self, coupling: &Coupling) {
         let under_way: f64 = self.taken[..self.delay].iter().sum();
-        stored(coupling) + under_way
-    }
-
-    /// What is more than may stand on the account is dropped. Once nothing has pushed for a while
-    /// nothing is owed either.
-    fn forget(&mut self, coupling: &Coupling) {
-        self.energy = self.energy.min(self.most(coupling));
+        let most = stored(coupling) + under_way;
+        self.energy = self.energy.min(most);
+        if self.disturbed_ticks > 0 {
+            self.disturbed_ticks -= 1;
+            self.energy = most;
+        }
         if self.quiet_seconds > MEMORY {
             self.energy = self.energy.max(0.0);
             self.turnover = 0.0;

@@ -94,9 +94,6 @@ impl Servo {
         }
         self.latest.force = self.safety.send(wanted, time, dt)?.newtons;
         self.passivity.sent(self.latest.force);
-        if !self.safety.passes_whole() {
-            self.passivity.begin();
-        }
         Ok(())
     }
 
@@ -128,6 +125,7 @@ impl Servo {
     fn engage(&mut self, goal: GridPoint) {
         self.model.place(goal);
         self.safety.engage();
+        self.passivity.begin();
     }
 
     /// The spring from the hand to where it shall be, under the eyes of the passivity observer, which
@@ -140,16 +138,18 @@ impl Servo {
             // No energy to keep account of: the safety chain lets none of it through.
             return force;
         }
+        let clamped = self.safety.clamped(force);
         let coupling = Coupling {
             hand: pose.position,
-            force: force.newtons,
+            force: clamped.newtons,
             stretch: stretch[0].hypot(stretch[1]).hypot(stretch[2]),
             stiffness,
             dt,
         };
         let newtons = self.passivity.tick(&coupling);
         self.totals.active_ticks = self.passivity.active_ticks();
-        Force { newtons }
+        // As it is, the chain shall cut and count it.
+        if newtons == clamped.newtons { force } else { Force { newtons } }
     }
 
     /// From the hand to where it shall be, metres.

@@ -69,10 +69,17 @@ fn between_the_walls_the_surface_feels_to_the_last_bit_as_without_walls() {
 fn through_wall_and_slope_the_force_makes_no_step() {
     for rise in [-5.0, -1.0, -0.2, 0.2, 1.0, 5.0] {
         let points = (0..80).map(|turn| {
-            let (phase, rest) = (f64::from(turn) * 2.4, f64::from(turn % 7) - 3.0);
-            let x = WALL + 0.004 * phase.sin();
+            // It begins where nothing pushes, so that the first force is not one of a beginning.
+            let (aside, height) = match turn {
+                0..3 => (-1.0, 3.0),
+                _ => ((f64::from(turn) * 2.4).sin(), f64::from(turn % 7) - 3.0),
+            };
+            let x = WALL + 0.004 * aside;
             let surface = -rise * x;
-            PathPoint { time: 0.05 * f64::from(turn), position: [x, 0.01, surface + 0.003 * rest] }
+            PathPoint {
+                time: 0.05 * f64::from(turn),
+                position: [x, 0.01, surface + 0.003 * height],
+            }
         });
         let path = ScriptedDevice::new(points.collect(), [0.16, 0.12, 0.12]).unwrap();
         let mut servo = between_walls(slope(rise), path);

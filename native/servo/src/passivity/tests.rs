@@ -130,16 +130,16 @@ fn a_force_that_is_cut_owes_what_it_took() {
 fn a_force_from_nowhere_is_found_active_and_left_alone() {
     let mut passivity = Passivity::new(1.0, 0);
     for tick in 0..100 {
-        // Pushed along by 1 N at 0.1 m/s: more than the damping takes. The first way opens the account.
+        // Pushed along by 1 N at 0.1 m/s: more than the damping takes.
         let hand = [1e-4 * f64::from(tick), 0.0, 0.0];
         let force = [1.0, 0.0, 0.0];
         let coupling = Coupling { hand, force, stretch: 0.0, stiffness: 500.0, dt: 1e-3 };
         assert_eq!(passivity.tick(&coupling), force);
         passivity.sent(force);
     }
-    assert_eq!(passivity.active_ticks(), 98);
+    assert_eq!(passivity.active_ticks(), 99);
     passivity.begin();
-    assert_eq!(passivity.active_ticks(), 98, "counts stay");
+    assert_eq!(passivity.active_ticks(), 99, "counts stay");
 }
 
 #[test]
@@ -152,4 +152,40 @@ fn a_device_without_a_limit_is_not_judged() {
         passivity.sent([9.0; 3]);
     }
     assert_eq!(passivity.active_ticks(), 0);
+}
+
+#[test]
+fn a_spring_that_is_ramped_in_is_not_blamed() {
+    let mut passivity = Passivity::new(1.0, 0);
+    for tick in 0..200u32 {
+        // Rises into the wall, and out of it again with the whole force.
+        let depth = 0.001 * (0.02 * f64::from(tick)).sin().max(0.0);
+        let force = [0.0, 0.0, 500.0 * depth];
+        let hand = [0.0, 0.0, -depth];
+        let coupling = Coupling { hand, force, stretch: depth, stiffness: 500.0, dt: 1e-3 };
+        passivity.tick(&coupling);
+        let open = (f64::from(tick) / 60.0).min(1.0);
+        passivity.sent(force.map(|newtons| newtons * open));
+    }
+    assert_eq!(passivity.active_ticks(), 0);
+}
+
+#[test]
+fn a_hand_at_rest_is_given_nothing() {
+    let mut passivity = Passivity::new(1.0, 0);
+    let mut push = |x: f64| {
+        let coupling = Coupling {
+            hand: [x, 0.0, 0.0],
+            force: [1.0, 0.0, 0.0],
+            stretch: 0.0,
+            stiffness: 500.0,
+            dt: 1e-3,
+        };
+        let force = passivity.tick(&coupling);
+        passivity.sent(force);
+        passivity.active_ticks()
+    };
+    push(0.0);
+    assert_eq!(push(1e-4), 1);
+    assert_eq!(push(1e-4), 1);
 }

@@ -76,11 +76,6 @@ impl Gate {
         self.open
     }
 
-    /// Whether all of the force passes.
-    pub(crate) fn is_open(&self) -> bool {
-        self.open == 1.0
-    }
-
     fn fall(&mut self, dt: f64) {
         self.open -= dt / FALL;
         if self.open < CRACK {

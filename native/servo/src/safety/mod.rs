@@ -193,11 +193,8 @@ impl Safety {
             self.slew.cut();
             return Force::ZERO;
         }
-        let (force, was_cut) = match self.stages.are_on(Stage::Clamp) {
-            true => limits::clamped(wanted, self.limits.max_force),
-            false => (wanted, false),
-        };
-        self.trips.clamped += u64::from(was_cut);
+        let force = self.clamped(wanted);
+        self.trips.clamped += u64::from(force != wanted);
         self.trips.ramped += u64::from(open < 1.0 && force != Force::ZERO);
         let force = Force { newtons: force.newtons.map(|component| component * open) };
         if !self.stages.are_on(Stage::Slew) {
@@ -208,9 +205,12 @@ impl Safety {
         force
     }
 
-    /// Whether forces pass as they are, but for clamp and slew limit.
-    pub(crate) fn passes_whole(&self) -> bool {
-        self.gate.is_open()
+    /// What of a finite force is not beyond its limit: all that is sent while nothing holds it back.
+    pub(crate) fn clamped(&self, wanted: Force) -> Force {
+        match self.stages.are_on(Stage::Clamp) {
+            true => limits::clamped(wanted, self.limits.max_force).0,
+            false => wanted,
+        }
     }
 
     /// Something was not a number: no force in this tick.
