@@ -35,10 +35,11 @@ impl Ground {
         Ground { grid: Arc::new(grid.expect("a grid that can be opened")), is_flat, file }
     }
 
-    /// The middle, 1 m of ground being 1 cm of workspace.
-    pub(super) fn window() -> Window {
+    /// The middle, or so many metres east and north of it, 1 m of ground being 1 cm of workspace.
+    pub(super) fn window([east, north]: [f64; 2]) -> Window {
         let middle = f64::from(SIDE) / 2.0;
-        Window::new(middle, -middle, 0.0, 16.0, 1.0).expect("a window that can be")
+        let window = Window::new(middle + east, north - middle, 0.0, 16.0, 1.0);
+        window.expect("a window that can be")
     }
 
     /// Cuts the mapped file.

@@ -47,6 +47,8 @@ impl Promised {
 pub(super) struct Known {
     /// There must be no force at all.
     pub(super) no_force: bool,
+    /// And this tick is the first of the ramp: touch begins anew.
+    pub(super) begins: bool,
     /// Metres of workspace under flat ground; `None` where nothing can be told.
     pub(super) depth: Option<f64>,
     /// The hand has been in the ground since the proxy was placed.
@@ -83,14 +85,14 @@ impl Judge {
         for (force, dt) in writes {
             self.judge_force(*force, *dt);
         }
-        let Some((acting, _)) = writes.last() else {
+        let Some((acting, dt)) = writes.last() else {
             self.breaks("a tick ended without a force".to_owned());
             return;
         };
         let acting = size(*acting);
         self.largest = self.largest.max(acting);
         if known.no_force {
-            self.since_none = 0.0;
+            self.since_none = if known.begins { *dt } else { 0.0 };
             // A force that is no number is no zero either.
             self.force_after_fault =
                 if acting.is_finite() { self.force_after_fault.max(acting) } else { f64::INFINITY };

@@ -11,7 +11,8 @@ use surface::{Grid, GridPoint, Metric};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u8)]
 pub(super) enum Order {
-    Behave,
+    /// As long as nothing else is said.
+    Behave = 0,
     Panic,
     LoseProxy,
     /// Say that the proxy is higher than it is.
@@ -19,7 +20,7 @@ pub(super) enum Order {
 }
 
 /// How a puppet is told.
-#[derive(Clone)]
+#[derive(Clone, Default)]
 pub(super) struct Strings(Arc<AtomicU8>);
 
 impl Strings {
@@ -38,9 +39,9 @@ pub(super) struct Puppet {
 }
 
 impl Puppet {
-    pub(super) fn new(model: Box<dyn ContactModel>) -> (Puppet, Strings) {
-        let strings = Strings(Arc::new(AtomicU8::new(Order::Behave as u8)));
-        (Puppet { model, strings: strings.clone() }, strings)
+    /// A puppet that may hang on the strings of another one.
+    pub(super) fn on(model: Box<dyn ContactModel>, strings: Strings) -> Puppet {
+        Puppet { model, strings }
     }
 
     fn is_told(&self, order: Order) -> bool {

@@ -1,6 +1,6 @@
 //! One random sequence: a hand goes in and out of the ground, and things go wrong.
 
-use contact::Model;
+use contact::{ContactModel, Model};
 use devices::{Capabilities, DeviceError, NOMINAL_PERIOD};
 
 use super::ground::Ground;
@@ -38,6 +38,10 @@ pub(super) fn play(random: &mut Random, off: Option<Stage>) -> Vec<Outcome> {
     stage.go(random.whole(80, 1500), &mut Known::default);
     outcomes.push(stage.outcome(None));
     for _ in 0..random.whole(0, 3) {
+        if random.coin() {
+            stage.change_something(random);
+            outcomes.push(stage.outcome(None));
+        }
         let kind = random.one_of(&Kind::ALL);
         if kind.ends_touch_with().is_none() {
             outcomes.push(stage.inject(random, kind));
@@ -114,14 +118,14 @@ impl Play {
             ..Settings::default()
         };
         let ground = Ground::new(random.coin(), is_mapped);
-        let model = random.one_of(&[Model::default(), Model::ProxyGraph]);
-        let (puppet, strings) = Puppet::new(model.build(model.default_step_budget()));
+        let strings = Strings::default();
+        let puppet = Puppet::on(build(random), strings.clone());
         let (witness, device) = Witness::new(capabilities);
         let mut session = Session::new(
             ground.grid.clone(),
             Box::new(witness),
             Box::new(puppet),
-            Ground::window(),
+            Ground::window([0.0; 2]),
             settings,
         )
         .expect("settings that can be");
@@ -197,6 +201,22 @@ impl Play {
     /// The proxy is placed at the hand in the next tick.
     fn begin_anew(&mut self) {
         self.began_inside = true;
+    }
+
+    /// What people do in mid-touch: choose another model, or lay the window elsewhere.
+    fn change_something(&mut self, random: &mut Random) {
+        if random.coin() {
+            let puppet = Puppet::on(build(random), self.strings.clone());
+            self.session.set_model(Box::new(puppet)).expect("nobody else asks for anything");
+            // While it takes over, the force may follow the hand more slowly than a spring.
+            self.go(100, &mut || Known { depth: Some(f64::INFINITY), ..Known::default() });
+        } else {
+            let aside = [random.between(-8.0, 8.0), random.between(-8.0, 8.0)];
+            self.session.set_window(Ground::window(aside)).expect("a window over the ground");
+            self.begin_anew();
+            self.one(Known { no_force: true, begins: true, ..Known::default() });
+        }
+        self.feel_anything(random.whole(0, 500));
     }
 
     fn inject(&mut self, random: &mut Random, kind: Kind) -> Outcome {
@@ -389,6 +409,11 @@ impl Play {
         judge.demand(is_kept, || format!("{last:?} was the last thing sent"));
         judge.broken
     }
+}
+
+fn build(random: &mut Random) -> Box<dyn ContactModel> {
+    let model = random.one_of(&[Model::default(), Model::ProxyGraph]);
+    model.build(model.default_step_budget())
 }
 
 fn timeout(words: &'static str) -> DeviceError {
