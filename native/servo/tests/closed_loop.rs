@@ -112,18 +112,12 @@ fn way(from: [f64; 3], to: [f64; 3]) -> f64 {
 fn pressed(damping: f64, delay_ticks: u32) -> Servo {
     let mechanism =
         Mechanism { delay_ticks, max_stiffness: Some(f64::INFINITY), ..Mechanism::default() };
-    let hand = Hand { damping, target: [0.0, 0.0, 0.01], ..Hand::default() };
+    let hand = Hand { damping, target: [0.0, 0.0, 0.01], max_force: 1e9, ..Hand::default() };
     let device = SimulatedDevice::held(hand, mechanism).unwrap();
     let ground = flat_ground();
     let frame = Frame::new(window(), 0.16, ground.layout()).unwrap();
-    let mut servo = Servo::new(
-        Box::new(device),
-        proxy_graph(),
-        ground,
-        frame,
-        &Settings { stiffness: 1000.0, ..Settings::default() },
-    )
-    .unwrap();
+    let settings = stiff(1000.0);
+    let mut servo = Servo::new(Box::new(device), proxy_graph(), ground, frame, &settings).unwrap();
     servo.set_device_damping(damping);
     servo.set_target([0.0, 0.0, -0.02]);
     servo
