@@ -161,7 +161,7 @@ format: $(PACKAGES) | cargo ## Format all code in place
 	@$(BIN)/ruff format --quiet $(PYTHON_CODE)
 
 .PHONY: bench
-bench: bench-contact ## Run every bench: tables, pictures and figures in build/bench
+bench: bench-contact bench-servo ## Run every bench: tables, pictures and figures in build/bench
 
 # The same release profile as the wheel's, and as little of the processor.
 CONTACT_BENCH := cargo run --quiet --release --manifest-path native/Cargo.toml --package contact_bench --
@@ -176,6 +176,13 @@ bench-contact: cargo $(PACKAGES) ## Measure contact models on 33 and 133 million
 bench-contact-large: cargo ## The same walk on 2 and 10 thousand million triangles: 12 GB on the disk meanwhile
 	@mkdir -p $(BENCH)
 	@$(CONTACT_BENCH) --large $(if $(KEEP),--keep) --output $(BENCH)
+
+.PHONY: bench-servo
+bench-servo: cargo $(PACKAGES) ## Measure the servo: how stiff it can be in closed loop
+	@mkdir -p $(BENCH)
+	@cargo run --quiet --release --manifest-path native/Cargo.toml --package servo_bench -- --output $(BENCH) \
+		--mesh "$(BIN)/python tests/bench/build_meshes.py"
+	@$(BIN)/python tests/bench/draw_stability.py $(BENCH)/servo.json $(BENCH)/stability.png
 
 # ---------------------------------------------------------------- the extension
 

@@ -19,6 +19,7 @@ CLASSES: tuple[type, ...] = (
     record_operators.HAPTIC_TERRAIN_OT_record_stop,
     panel.HAPTIC_TERRAIN_PT_terrain,
     panel.HAPTIC_TERRAIN_PT_touch,
+    panel.HAPTIC_TERRAIN_PT_safety,
     panel.HAPTIC_TERRAIN_PT_record,
 )
 

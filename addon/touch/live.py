@@ -33,6 +33,18 @@ class Readout:
     """Newtons."""
     ticks: int
     missed_ticks: int
+    load: float
+    """Share of each millisecond that the servo takes, mean."""
+    worst_load: float
+    """The same, exceeded in one tick of a thousand."""
+    late_us: float
+    """Microseconds that the servo woke up late, exceeded in one tick of a hundred."""
+    priority: str
+    """How the system schedules the servo, in words."""
+    held: str | None
+    """Why the force is away, or not yet wholly back, as ``State.held`` has it."""
+    warnings: tuple[str, ...]
+    """What the safety chain did since touch began, in words."""
 
 
 @dataclass(frozen=True)

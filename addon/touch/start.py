@@ -5,7 +5,15 @@ from __future__ import annotations
 from dataclasses import asdict
 
 import bpy
-from proxygraph import Grid, ScriptedDevice, Session, SessionError, SimulatedDevice, Window
+from proxygraph import (
+    STALE_AFTER,
+    Grid,
+    ScriptedDevice,
+    Session,
+    SessionError,
+    SimulatedDevice,
+    Window,
+)
 
 from ..formats import FormatError
 from ..terrain.frame import Point
@@ -97,7 +105,14 @@ def _touch(
         device = SimulatedDevice(target=to_workspace(place, window, workspace[0]))
     model = chosen_model(scene)
     return Touch(
-        session=Session(grid, device, window, **asdict(model)),
+        session=Session(
+            grid,
+            device,
+            window,
+            max_force=scene.haptic_terrain.max_force,
+            stale_after=stale_after(),
+            **asdict(model),
+        ),
         model=model,
         grid=grid,
         georeference=kept.grid.georeference,
@@ -108,6 +123,15 @@ def _touch(
         target=target,
         workspace_width=workspace[0],
     )
+
+
+def stale_after() -> float | None:
+    """Seconds without a look at the session after which the hand feels nothing.
+
+    Where Blender draws, its timer looks, and what is felt must not go on without what is seen. In the
+    background timers never fire, and a script may do what it likes between two looks.
+    """
+    return None if bpy.app.background else STALE_AFTER
 
 
 def _open_scene(context: bpy.types.Context) -> bpy.types.Scene:

@@ -104,4 +104,10 @@ def _readout(touch: Touch, state: State) -> Readout:
         force=math.hypot(*state.force),
         ticks=statistics.ticks,
         missed_ticks=statistics.missed_ticks,
+        load=statistics.mean_load,
+        worst_load=statistics.load(0.999),
+        late_us=statistics.late_us(0.99),
+        priority=touch.session.priority,
+        held=state.held,
+        warnings=tuple(touch.session.warnings()),
     )

@@ -19,6 +19,15 @@ TAB = "Haptic Terrain"
 """In the sidebar of the 3D view."""
 
 
+HELD = {
+    "host": "Blender was busy",
+    "late": "Ticks were missed",
+    "speed": "Hand was too fast",
+    "device": "Device failed",
+    "not_finite": "Not a number",
+}
+"""Why the force is away, short enough for a line; the panel *Safety* has the sentences."""
+
 SIDEBAR_LETTERS = 32
 """That a line of the sidebar holds at its usual width."""
 
@@ -69,6 +78,7 @@ class HAPTIC_TERRAIN_PT_touch(bpy.types.Panel):
         if live.touch is None:
             layout.prop(context.scene.haptic_terrain, "device")
             layout.prop(context.scene.haptic_terrain, "window_width", text="Width in km (0 = all)")
+            layout.prop(context.scene.haptic_terrain, "max_force", text="Max Force in N")
             _draw_model(layout, context.scene)
             layout.operator(HAPTIC_TERRAIN_OT_touch_start.bl_idname, icon="PLAY")
             return
@@ -82,6 +92,31 @@ class HAPTIC_TERRAIN_PT_touch(bpy.types.Panel):
                 row = layout.split(factor=0.4)
                 row.label(text=name)
                 row.label(text=value)
+
+
+class HAPTIC_TERRAIN_PT_safety(bpy.types.Panel):
+    """What the safety chain did."""
+
+    bl_label = "Safety"
+    bl_space_type = "VIEW_3D"
+    bl_region_type = "UI"
+    bl_category = TAB
+    bl_parent_id = "HAPTIC_TERRAIN_PT_touch"
+    bl_options = {"DEFAULT_CLOSED"}  # noqa: RUF012
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        """Only while touch runs."""
+        return live.touch is not None and live.touch.readout is not None
+
+    def draw(self, context: bpy.types.Context) -> None:
+        """A sentence for each thing that took the force away, or kept it small."""
+        if live.touch is None or live.touch.readout is None or self.layout is None:
+            return
+        for warning in live.touch.readout.warnings or ("Nothing held the force back so far.",):
+            column = self.layout.column(align=True)
+            for line in wrapped(warning, SIDEBAR_LETTERS):
+                column.label(text=line)
 
 
 class HAPTIC_TERRAIN_PT_record(bpy.types.Panel):
@@ -123,8 +158,22 @@ def readout_lines(readout: Readout, exaggeration: float) -> list[tuple[str, str]
         ("Force", f"{readout.force:.2f} N"),
         ("Missed ticks", f"{readout.missed_ticks:,} of {readout.ticks + readout.missed_ticks:,}"),
     ]
+    if readout.held is not None:
+        lines.insert(3, ("Held back", HELD[readout.held]))
+    lines += servo_lines(readout)
     lines[2:2] = _place_lines(readout, exaggeration) if readout.on_map else [("Place", "Beside the map")]
     return lines
+
+
+def servo_lines(readout: Readout) -> list[tuple[str, str]]:
+    """Put into words how the servo keeps its time."""
+    priority, _colon, reason = readout.priority.partition(": ")
+    lines = [
+        ("Servo load", f"{readout.load:.1%} of each ms ({readout.worst_load:.1%})"),
+        ("Lateness", f"{readout.late_us:,.0f} us (99%)"),
+        ("Priority", priority.title()),
+    ]
+    return [*lines, ("", reason)] if reason else lines
 
 
 def _place_lines(readout: Readout, exaggeration: float) -> list[tuple[str, str]]:

@@ -32,6 +32,13 @@ class HapticTerrainSettings(bpy.types.PropertyGroup):
         default=0.0,
         min=0.0,
     )
+    max_force: bpy.props.FloatProperty(
+        name="Max Force",
+        description="Newtons that the hand feels at most, where the device would give more",
+        default=8.0,
+        min=0.0,
+        soft_max=20.0,
+    )
     contact_model: bpy.props.EnumProperty(
         name="Contact Model",
         description="How the point that is felt follows the hand over the ground; change it while you touch",

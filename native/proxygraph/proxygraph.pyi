@@ -19,12 +19,16 @@ MODELS: tuple[str, ...]
 """The names of the contact models, the default first: ``surface_walk proxy_graph god_object
 god_object_release virtual_proxy``."""
 
+STALE_AFTER: float
+"""Seconds: what ``Session``'s ``stale_after`` should be for programs that draw."""
+
 def model_descriptions() -> dict[str, str]:
     """A line on each contact model for those who choose, by name, in the order of ``MODELS``."""
 
 SampleType = Literal["i16", "u16", "i32", "f32", "f64"]
 ByteOrder = Literal["big", "little"]
 Feature = Literal["free", "face", "edge", "vertex"]
+Held = Literal["host", "late", "speed", "device", "not_finite"]
 Vector = tuple[float, float, float]
 
 class GridError(ValueError):
@@ -319,7 +323,10 @@ class State:
         """Ticks done since the session was made."""
     @property
     def time(self) -> float:
-        """Seconds on the session's clock, which stands while the session does: (ticks + missed ticks) / 1000."""
+        """Seconds on the session's clock, which stands while the session does.
+
+        A step takes a thousandth; live, it is measured where the tick began.
+        """
     @property
     def hand(self) -> Vector:
         """Workspace frame, metres."""
@@ -336,6 +343,9 @@ class State:
     @property
     def force(self) -> Vector:
         """Newtons, workspace frame, as sent to the device."""
+    @property
+    def held(self) -> Held | None:
+        """Why the force is away, or not yet wholly back; ``None`` where nothing holds it."""
     @property
     def mode(self) -> Literal["normal"]: ...
     @property
@@ -374,8 +384,32 @@ class Statistics:
     def not_finite(self) -> int:
         """Ticks whose pose or force was not finite: answered with zero force."""
     @property
+    def device_errors(self) -> int:
+        """Reads and writes that the device failed: answered with zero force."""
+    @property
+    def speed_cuts(self) -> int:
+        """Times that the hand was faster than ``max_speed``: zero force until it has been slow for 50 ms."""
+    @property
+    def host_cuts(self) -> int:
+        """Times that nobody looked for ``stale_after`` seconds: no force until someone looks."""
+    @property
+    def late_cuts(self) -> int:
+        """Times that two or more ticks in a row were missed: no force until 10 ms were punctual."""
+    @property
     def clamped(self) -> int:
         """Ticks whose force was cut to the limit."""
+    @property
+    def ramped(self) -> int:
+        """Ticks whose force was held back because touch had just begun, or the force just came back."""
+    @property
+    def slew_limited(self) -> int:
+        """Ticks whose force was not yet what it should be, because it may change only so fast."""
+    @property
+    def engaged(self) -> int:
+        """Times that the proxy was placed at the hand."""
+    @property
+    def active_ticks(self) -> int:
+        """Ticks in which the spring had given the hand more energy than it took (passivity observer)."""
     @property
     def dropped(self) -> int:
         """Ticks that found the ring full; they are lost to recordings."""
@@ -387,6 +421,11 @@ class Statistics:
 
         Raises ValueError for a quantile outside 0 to 1.
         """
+    @property
+    def mean_load(self) -> float:
+        """The share of a millisecond that live ticks take, from wake-up to sleep, mean; 0 before the first."""
+    def load(self, quantile: float) -> float:
+        """The same as a quantile."""
     def late_us(self, quantile: float) -> float:
         """Microseconds from deadline to wake-up, live ticks only. Quantiles as above."""
 
@@ -406,14 +445,25 @@ class Ticks:
 class Session:
     """A grid, a device and a contact model in one loop: 1 kHz live, or stepped.
 
-    Forces: spring from the hand to the proxy, clamped; after a switch of models they change by no more than
-    ``max_force`` in 50 ms until they are what the new model wants. Dropping the object stops the thread after a
-    last zero force.
+    Forces: a spring from the hand to the proxy, behind a chain of safety stages. The force is never above
+    ``max_force``; it rises from nothing in 50 ms when touch begins, and changes by no more than ``max_slew``;
+    after a switch of models by no more than ``max_force`` in 50 ms until it is what the new model wants. It is
+    zero while something is wrong (see ``State.held``), and comes back over as long as it was away, 50 ms to half
+    a second. Zero force is the last thing that the device gets, however the session ends; dropping the object
+    stops the thread too.
 
     Args:
         grid: what is touched. device: is taken over; a device serves one session.
-        window: where the workspace lies. stiffness: of the spring, N/m.
+        window: where the workspace lies.
+        stiffness: of the spring, N/m; cut to what the device can show (see ``warnings``).
         max_force: N; the device's own limit holds too. ring_seconds: ticks kept for ``drain``.
+        max_slew: N/s; ``None`` is the device's own limit. From nothing to ``max_force`` takes 5 ms at least.
+        max_speed: of the hand, m/s, beyond which the handle counts as slipped and there is no force; ``None``
+            is the device's own limit.
+        stale_after: seconds; a session that runs live gives no force while neither ``state`` nor ``heartbeat`` is
+            called for longer than this. For programs that draw what is felt, and may stall; ``None``, for scripts
+            that start a session and sleep, never waits for anyone. Steps wait for nobody either.
+        real_time: whether a live session asks the system for real-time priority; see ``priority``.
         model, step_budget, sub_step: see ContactModel.
         radius: of ``virtual_proxy`` only: of its sphere, workspace metres; ``None`` is 1 mm.
 
@@ -431,6 +481,10 @@ class Session:
         stiffness: float = 500.0,
         max_force: float = 8.0,
         ring_seconds: float = 60.0,
+        max_slew: float | None = None,
+        max_speed: float | None = None,
+        stale_after: float | None = None,
+        real_time: bool = True,
         model: str = "surface_walk",
         step_budget: int | None = None,
         sub_step: float | None = None,
@@ -450,6 +504,35 @@ class Session:
     @property
     def fault(self) -> str | None:
         """Why touch ended by itself, in words; ``None`` where it did not."""
+    @property
+    def stiffness(self) -> float:
+        """Of the spring, N/m, after the device's limit."""
+    @property
+    def max_force(self) -> float:
+        """The largest force, N, after the device's limit."""
+    @property
+    def max_slew(self) -> float:
+        """The fastest change of the force, N/s, after the device's limit."""
+    @property
+    def max_speed(self) -> float:
+        """The fastest hand, m/s, after the device's limit; infinite where nothing limits it."""
+    @property
+    def priority(self) -> str:
+        """How the system schedules the live thread: ``real-time``, or ``normal``, and in the system's words why.
+
+        Linux grants real-time priority to root, to CAP_SYS_NICE, or up to a limit (``ulimit -r``).
+        """
+    @property
+    def locked_memory(self) -> tuple[int, int]:
+        """Bytes that the system keeps in memory for the live thread, and bytes that it refused to.
+
+        The thread's stack, state and rings, never the grid. Beyond ``ulimit -l`` it refuses; ticks may then meet
+        a page that was taken away.
+        """
+    def warnings(self) -> list[str]:
+        """What the safety chain did so far, why, and what to do about it: a sentence each, the gravest first."""
+    def heartbeat(self) -> None:
+        """Whoever must look at a live session is still there; ``state`` says so too. See ``stale_after``."""
     @property
     def window(self) -> Window: ...
     def set_window(self, window: Window) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -82,6 +83,25 @@ def test_the_panel_shows_the_newest_tick(label: Path) -> None:
     assert notes.operators == ["haptic_terrain.touch_stop"]
     for word in ("Normal", "Touching", "Longitude", "Latitude", "Elevation", "Force", "Missed ticks"):
         assert word in notes.labels
+
+
+def test_the_panel_says_what_holds_the_force_back(label: Path) -> None:
+    import_grid(label)
+    panel = module("ui.panel").HAPTIC_TERRAIN_PT_safety
+    assert not panel.poll(bpy.context)
+    touch = module("touch.start").start_touch(bpy.context, device=sweep(), on_the_clock=False)
+    assert panel.poll(bpy.context)
+    assert drawn("HAPTIC_TERRAIN_PT_safety").labels[0].startswith("Nothing held")
+    assert "Held back" not in drawn("HAPTIC_TERRAIN_PT_touch").labels
+    told = "The force was taken away 3 times because the computer was too busy to keep time."
+    touch.readout = replace(touch.readout, held="late", warnings=(told,))
+    assert " ".join(drawn("HAPTIC_TERRAIN_PT_safety").labels) == told
+    labels = drawn("HAPTIC_TERRAIN_PT_touch").labels
+    assert labels[labels.index("Held back") + 1] == "Ticks were missed"
+
+
+def test_every_reason_has_words(label: Path) -> None:
+    assert set(module("ui.panel").HELD) == {"host", "late", "speed", "device", "not_finite"}
 
 
 def test_the_panel_says_why_touch_ended(label: Path) -> None:

@@ -18,7 +18,7 @@ def over_the_middle() -> Window:
     return Window(SIDE / 2, -SIDE / 2, 0.0, width=0.16 / SCALE)
 
 
-def touch(grid: Grid, device: ScriptedDevice | SimulatedDevice, **settings: float | str) -> Session:
+def touch(grid: Grid, device: ScriptedDevice | SimulatedDevice, **settings: float | str | None) -> Session:
     """A session over the middle of the ground."""
     return Session(grid, device, over_the_middle(), **settings)  # type: ignore[arg-type]
 

@@ -57,6 +57,12 @@ pub struct Terrain<'a> {
     canyon: Vec<f64>,
 }
 
+impl Default for Relief {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
 impl Relief {
     /// The same always.
     pub fn new() -> Self {

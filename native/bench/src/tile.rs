@@ -29,6 +29,12 @@ pub struct Tile {
     heights: Vec<f32>,
 }
 
+impl Default for Tile {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
 impl Tile {
     /// The same tile always.
     pub fn new() -> Self {

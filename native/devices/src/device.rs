@@ -12,9 +12,16 @@ pub const NOMINAL_PERIOD: f64 = 0.001;
 pub struct Pose {
     /// Metres.
     pub position: [f64; 3],
+    /// Which buttons are down, a bit each.
+    pub buttons: u32,
 }
 
 impl Pose {
+    /// A hand there, with no button down.
+    pub fn at(position: [f64; 3]) -> Pose {
+        Pose { position, buttons: 0 }
+    }
+
     /// Whether every number in it is finite.
     pub fn is_finite(&self) -> bool {
         self.position.iter().all(|coordinate| coordinate.is_finite())
@@ -51,14 +58,36 @@ pub struct Capabilities {
     /// Whole ticks from reading a pose to the moment when the force answering it acts. 0 where a
     /// device is read and written in the same tick.
     pub delay_ticks: u32,
+    /// The fastest change of the force that may be asked for, N/s; infinite where nothing limits it.
+    pub max_slew: f64,
+    /// The fastest hand, m/s, beyond which the handle must have slipped from it; infinite where it
+    /// cannot.
+    ///
+    /// For desktop devices about 3 m/s: hands on them move with up to 1 or 2 m/s, and a handle of
+    /// 0.1 kg let go under 8 N is past 3 m/s after 6 cm.
+    pub max_speed: f64,
 }
 
 impl Capabilities {
+    /// Of a device that sets no limits.
+    pub const fn unlimited(workspace: [f64; 3]) -> Capabilities {
+        Capabilities {
+            workspace,
+            max_force: f64::INFINITY,
+            max_stiffness: f64::INFINITY,
+            delay_ticks: 0,
+            max_slew: f64::INFINITY,
+            max_speed: f64::INFINITY,
+        }
+    }
+
     /// Checks what a driver says of its device before forces are computed from it.
     pub fn validate(&self) -> Result<(), ParameterError> {
         check::workspace(self.workspace)?;
         check::limit("max_force", self.max_force)?;
-        check::limit("max_stiffness", self.max_stiffness)
+        check::limit("max_stiffness", self.max_stiffness)?;
+        check::limit("max_slew", self.max_slew)?;
+        check::positive_or_infinite("max_speed", self.max_speed)
     }
 }
 
@@ -82,7 +111,11 @@ pub enum DeviceError {
 /// A haptic device. In every tick the servo reads once, then writes once.
 ///
 /// `read` and `write` are called from a thread that must not wait: an implementation does not
-/// allocate, lock or log in them, and gives up after its own short timeout.
+/// allocate, lock or log in them, and gives up after its own short timeout: while it waits, the
+/// motors keep the force that they were told last.
+///
+/// An error gives no force in that tick. [`DeviceError::Timeout`] and [`DeviceError::Protocol`] are
+/// forgiven twice in a row and nine times a second; the others end touch.
 pub trait Device: Send {
     /// What the device can do.
     fn capabilities(&self) -> Capabilities;

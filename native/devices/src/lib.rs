@@ -6,10 +6,15 @@
 
 pub mod check;
 mod device;
+mod grip;
+mod mechanism;
+mod motion;
 mod scripted;
 mod simulated;
 
 pub use check::ParameterError;
 pub use device::{Capabilities, Device, DeviceError, Force, NOMINAL_PERIOD, Pose};
+pub use grip::Grip;
+pub use mechanism::{LONGEST_DELAY, Mechanism};
 pub use scripted::{PathError, PathPoint, ScriptedDevice};
 pub use simulated::{Hand, SimulatedDevice};

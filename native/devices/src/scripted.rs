@@ -129,16 +129,11 @@ fn between(from: &PathPoint, to: &PathPoint, time: f64) -> [f64; 3] {
 
 impl Device for ScriptedDevice {
     fn capabilities(&self) -> Capabilities {
-        Capabilities {
-            workspace: self.workspace,
-            max_force: f64::INFINITY,
-            max_stiffness: f64::INFINITY,
-            delay_ticks: 0,
-        }
+        Capabilities::unlimited(self.workspace)
     }
 
     fn read(&mut self, time: f64) -> Result<Pose, DeviceError> {
-        Ok(Pose { position: self.position(time) })
+        Ok(Pose::at(self.position(time)))
     }
 
     fn write(&mut self, _force: Force, _dt: f64) -> Result<(), DeviceError> {

@@ -1,7 +1,10 @@
-//! A simulated hand, so that touch can be tried and tested without a device.
+//! A simulated hand on a simulated device, so that touch can be tried and tested without either.
 
-use crate::check;
+use std::collections::VecDeque;
+
+use crate::motion::Motion;
 use crate::{Capabilities, Device, DeviceError, Force, NOMINAL_PERIOD, ParameterError, Pose};
+use crate::{Mechanism, check};
 
 /// The numbers of a simulated hand.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,27 +40,54 @@ impl Default for Hand {
 /// A mass on a muscle spring and a damper, following a target, pushed by the force.
 ///
 /// Force and target are held between two writes, and the motion under them is computed exactly,
-/// so it is stable for every mass, spring, damper and step.
+/// so it is stable for every mass, spring, damper and step. On a [`Mechanism`] it is a rig for the
+/// closed loop: a continuous hand, sampled, quantised and answered late.
 #[derive(Clone, Debug)]
 pub struct SimulatedDevice {
     hand: Hand,
+    mechanism: Mechanism,
+    /// Forces that were written and do not act yet, the oldest first.
+    under_way: VecDeque<Force>,
     target: [f64; 3],
     position: [f64; 3],
     velocity: [f64; 3],
 }
 
 impl SimulatedDevice {
-    /// A hand resting at its target.
+    /// A hand resting at its target, on a device that adds nothing.
     pub fn new(hand: Hand) -> Result<Self, ParameterError> {
+        // Where nothing else brakes, no spring at all would be stable without it.
+        check::positive("damping", hand.damping)?;
+        SimulatedDevice::held(hand, Mechanism::default())
+    }
+
+    /// A hand resting at its target, holding a device.
+    pub fn held(hand: Hand, mechanism: Mechanism) -> Result<Self, ParameterError> {
         check::finite("target x", hand.target[0])?;
         check::finite("target y", hand.target[1])?;
         check::finite("target z", hand.target[2])?;
         check::positive("mass", hand.mass)?;
         check::positive("muscle_stiffness", hand.muscle_stiffness)?;
-        check::positive("damping", hand.damping)?;
+        check::not_negative("damping", hand.damping)?;
         check::positive("max_force", hand.max_force)?;
         check::workspace(hand.workspace)?;
-        Ok(SimulatedDevice { hand, target: hand.target, position: hand.target, velocity: [0.0; 3] })
+        mechanism.validate()?;
+        let mut device = SimulatedDevice {
+            hand,
+            mechanism,
+            // Room for one more than wait, so that a write never allocates.
+            under_way: VecDeque::with_capacity(mechanism.delay_ticks as usize + 1),
+            target: hand.target,
+            position: hand.target,
+            velocity: [0.0; 3],
+        };
+        device.empty_line(Force::ZERO);
+        Ok(device)
+    }
+
+    /// Where the hand is, metres; [`read`](Device::read) tells what the encoder says of it.
+    pub fn position(&self) -> [f64; 3] {
+        self.position
     }
 
     /// Metres a second.
@@ -70,14 +100,34 @@ impl SimulatedDevice {
         let mut energy = 0.0;
         for axis in 0..3 {
             let stretch = self.position[axis] - self.target[axis];
-            energy += 0.5 * self.hand.mass * self.velocity[axis].powi(2);
+            energy += 0.5 * self.mass() * self.velocity[axis].powi(2);
             energy += 0.5 * self.hand.muscle_stiffness * stretch.powi(2);
         }
         energy
     }
 
+    fn mass(&self) -> f64 {
+        self.hand.mass + self.mechanism.mass
+    }
+
+    fn damping(&self) -> f64 {
+        self.hand.damping + self.mechanism.damping
+    }
+
+    /// Nothing else is under way than `force`.
+    fn empty_line(&mut self, force: Force) {
+        self.under_way.clear();
+        self.under_way.resize(self.mechanism.delay_ticks as usize, force);
+    }
+
+    /// Sends `force` on its way, and gives the one that arrives.
+    fn delayed(&mut self, force: Force) -> Force {
+        self.under_way.push_back(force);
+        self.under_way.pop_front().unwrap_or(force)
+    }
+
     fn advance(&mut self, force: Force, dt: f64) {
-        let motion = Motion::over(&self.hand, dt);
+        let motion = Motion::over(self.mass(), self.hand.muscle_stiffness, self.damping(), dt);
         for axis in 0..3 {
             // Where the hand would come to rest under this force.
             let rest = self.target[axis] + force.newtons[axis] / self.hand.muscle_stiffness;
@@ -95,76 +145,31 @@ impl SimulatedDevice {
     }
 }
 
-/// The exact motion of a damped spring over one step, as a linear map of offset and velocity:
-/// the exponential of [[0, 1], [-stiffness / mass, -damping / mass]] times the step.
-#[derive(Clone, Copy, Debug)]
-struct Motion {
-    offset_from_offset: f64,
-    offset_from_velocity: f64,
-    velocity_from_offset: f64,
-    velocity_from_velocity: f64,
-}
-
-impl Motion {
-    fn over(hand: &Hand, dt: f64) -> Motion {
-        let decay = hand.damping / (2.0 * hand.mass); // 1/s
-        let spring = hand.muscle_stiffness / hand.mass; // 1/s^2
-        let discriminant = decay * decay - spring;
-        // `even` and `odd` are exp(-decay dt) times cosh(s dt) and sinh(s dt) / s, with s the root
-        // of the discriminant; for an imaginary s these are cos and sin.
-        let (even, odd) = if discriminant > 0.0 {
-            let root = discriminant.sqrt();
-            // decay - root, without the cancellation in a strongly damped hand.
-            let slow = spring / (decay + root);
-            let slow_part = (-slow * dt).exp();
-            let fast_part = (-(decay + root) * dt).exp();
-            let odd = -slow_part * (-2.0 * root * dt).exp_m1() / (2.0 * root);
-            (0.5 * (slow_part + fast_part), odd)
-        } else if discriminant < 0.0 {
-            let frequency = (-discriminant).sqrt();
-            let envelope = (-decay * dt).exp();
-            let (sine, cosine) = (frequency * dt).sin_cos();
-            (envelope * cosine, envelope * sine / frequency)
-        } else {
-            let envelope = (-decay * dt).exp();
-            (envelope, envelope * dt)
-        };
-        Motion {
-            offset_from_offset: even + decay * odd,
-            offset_from_velocity: odd,
-            velocity_from_offset: -spring * odd,
-            velocity_from_velocity: even - decay * odd,
-        }
-    }
-
-    fn apply(&self, offset: f64, velocity: f64) -> (f64, f64) {
-        (
-            self.offset_from_offset * offset + self.offset_from_velocity * velocity,
-            self.velocity_from_offset * offset + self.velocity_from_velocity * velocity,
-        )
-    }
-}
-
 impl Device for SimulatedDevice {
     fn capabilities(&self) -> Capabilities {
         Capabilities {
-            workspace: self.hand.workspace,
             max_force: self.hand.max_force,
             // A sampled spring K adds energy unless K < 2 b / T (Colgate and Schenkel, "Passivity
             // of a class of sampled-data systems", 1994); half of that leaves room for missed ticks.
-            max_stiffness: self.hand.damping / NOMINAL_PERIOD,
-            delay_ticks: 0,
+            max_stiffness: self.mechanism.max_stiffness.unwrap_or(self.damping() / NOMINAL_PERIOD),
+            delay_ticks: self.mechanism.delay_ticks,
+            // A muscle never lets go, so there is no speed at which the handle has slipped.
+            ..Capabilities::unlimited(self.hand.workspace)
         }
     }
 
     fn read(&mut self, _time: f64) -> Result<Pose, DeviceError> {
-        Ok(Pose { position: self.position })
+        Ok(Pose::at(self.position.map(|metres| self.mechanism.counted(metres))))
     }
 
     fn write(&mut self, force: Force, dt: f64) -> Result<(), DeviceError> {
         let force = if force.is_finite() { force } else { Force::ZERO };
         if dt > 0.0 && dt.is_finite() {
-            self.advance(force, dt);
+            let acting = self.delayed(force);
+            self.advance(acting, dt);
+        } else {
+            // A session's last write: until the next one, whatever was under way has arrived.
+            self.empty_line(force);
         }
         Ok(())
     }

@@ -14,6 +14,10 @@ mod ticks;
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 
+// Nobody shall ship a module whose safety can be switched off, although nothing in it would do so.
+#[cfg(not(debug_assertions))]
+const _: () = assert!(!servo::HAS_TEST_HOOKS, "build proxygraph alone, without the test hooks");
+
 #[pymodule(name = "proxygraph")]
 mod module {
     use super::*;
@@ -36,6 +40,7 @@ mod module {
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
+        module.add("STALE_AFTER", servo::STALE_AFTER)?;
         module.add("MODELS", PyTuple::new(module.py(), crate::choice::names())?)?;
         module.add("__version__", env!("CARGO_PKG_VERSION"))
     }

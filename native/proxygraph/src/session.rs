@@ -91,9 +91,11 @@ impl Session {
 impl Session {
     #[new]
     #[pyo3(signature = (grid, device, window, *, stiffness=500.0, max_force=8.0, ring_seconds=60.0,
+        max_slew=None, max_speed=None, stale_after=None, real_time=true,
         model=DEFAULT, step_budget=None, sub_step=None, radius=None),
         text_signature = "(grid, device, window, *, stiffness=500.0, max_force=8.0, \
-        ring_seconds=60.0, model='surface_walk', step_budget=None, sub_step=None, radius=None)")]
+        ring_seconds=60.0, max_slew=None, max_speed=None, stale_after=None, \
+        real_time=True, model='surface_walk', step_budget=None, sub_step=None, radius=None)")]
     #[expect(clippy::too_many_arguments, reason = "Python's keywords")]
     fn new(
         grid: &Grid,
@@ -102,6 +104,10 @@ impl Session {
         stiffness: f64,
         max_force: f64,
         ring_seconds: f64,
+        max_slew: Option<f64>,
+        max_speed: Option<f64>,
+        stale_after: Option<f64>,
+        real_time: bool,
         model: &str,
         step_budget: Option<Whole>,
         sub_step: Option<f64>,
@@ -110,7 +116,15 @@ impl Session {
         let knobs = Knobs { step_budget, sub_step, radius };
         let choice = Choice::new(model, &knobs, RADIUS_IN_HAND)?;
         let (grid, window) = (grid.shared(), window.window);
-        let settings = Settings { stiffness, max_force, ring_seconds };
+        let settings = Settings {
+            stiffness,
+            max_force,
+            ring_seconds,
+            max_slew: max_slew.unwrap_or(f64::INFINITY),
+            max_speed: max_speed.unwrap_or(f64::INFINITY),
+            stale_after,
+            real_time,
+        };
         // Everything that can be refused is refused before the device is taken.
         settings.validate().map_err(value_error)?;
         Frame::new(window, device.workspace_width(), grid.layout()).map_err(value_error)?;
@@ -147,6 +161,45 @@ impl Session {
     #[getter]
     fn fault(&self, py: Python<'_>) -> Option<String> {
         self.lock(py).fault().map(ToString::to_string)
+    }
+
+    #[getter]
+    fn stiffness(&self, py: Python<'_>) -> f64 {
+        self.lock(py).limits().stiffness
+    }
+
+    #[getter]
+    fn max_force(&self, py: Python<'_>) -> f64 {
+        self.lock(py).limits().max_force
+    }
+
+    #[getter]
+    fn max_slew(&self, py: Python<'_>) -> f64 {
+        self.lock(py).limits().max_slew
+    }
+
+    #[getter]
+    fn max_speed(&self, py: Python<'_>) -> f64 {
+        self.lock(py).limits().max_speed
+    }
+
+    #[getter]
+    fn priority(&self, py: Python<'_>) -> String {
+        self.lock(py).priority().to_string()
+    }
+
+    #[getter]
+    fn locked_memory(&self, py: Python<'_>) -> (usize, usize) {
+        let memory = self.lock(py).locked_memory();
+        (memory.locked, memory.refused)
+    }
+
+    fn warnings(&self, py: Python<'_>) -> Vec<String> {
+        self.lock(py).warnings().iter().map(ToString::to_string).collect()
+    }
+
+    fn heartbeat(&self, py: Python<'_>) {
+        self.lock(py).heartbeat();
     }
 
     #[getter]

@@ -66,6 +66,11 @@ impl State {
     }
 
     #[getter]
+    fn held(&self) -> Option<&'static str> {
+        self.state.held.map(servo::Held::name)
+    }
+
+    #[getter]
     fn mode(&self) -> &'static str {
         self.state.mode.name()
     }
@@ -142,12 +147,52 @@ impl Statistics {
 
     #[getter]
     fn not_finite(&self) -> u64 {
-        self.statistics.totals.not_finite
+        self.statistics.totals.trips.not_finite
+    }
+
+    #[getter]
+    fn device_errors(&self) -> u64 {
+        self.statistics.totals.trips.device_errors
+    }
+
+    #[getter]
+    fn speed_cuts(&self) -> u64 {
+        self.statistics.totals.trips.speed_cuts
+    }
+
+    #[getter]
+    fn host_cuts(&self) -> u64 {
+        self.statistics.totals.trips.host_cuts
+    }
+
+    #[getter]
+    fn late_cuts(&self) -> u64 {
+        self.statistics.totals.trips.late_cuts
     }
 
     #[getter]
     fn clamped(&self) -> u64 {
-        self.statistics.totals.clamped
+        self.statistics.totals.trips.clamped
+    }
+
+    #[getter]
+    fn ramped(&self) -> u64 {
+        self.statistics.totals.trips.ramped
+    }
+
+    #[getter]
+    fn slew_limited(&self) -> u64 {
+        self.statistics.totals.trips.slew_limited
+    }
+
+    #[getter]
+    fn engaged(&self) -> u64 {
+        self.statistics.totals.trips.engaged
+    }
+
+    #[getter]
+    fn active_ticks(&self) -> u64 {
+        self.statistics.totals.active_ticks
     }
 
     #[getter]
@@ -162,6 +207,15 @@ impl Statistics {
 
     fn update_us(&self, quantile: f64) -> PyResult<f64> {
         Ok(self.statistics.update_us(checked(quantile)?))
+    }
+
+    #[getter]
+    fn mean_load(&self) -> f64 {
+        self.statistics.mean_load()
+    }
+
+    fn load(&self, quantile: f64) -> PyResult<f64> {
+        Ok(self.statistics.load(checked(quantile)?))
     }
 
     fn late_us(&self, quantile: f64) -> PyResult<f64> {

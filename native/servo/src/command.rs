@@ -12,4 +12,6 @@ pub(crate) enum Command {
     Target([f64; 3]),
     /// Let another contact model go on from where the proxy is.
     Model(Box<dyn ContactModel>),
+    /// Whether the passivity observer may add damping.
+    PassivityControl(bool),
 }

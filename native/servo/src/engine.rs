@@ -1,5 +1,6 @@
 //! The servo with its ways in and out: what is run on the clock and stepped alike.
 
+use std::mem::MaybeUninit;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 use std::time::Instant;
@@ -10,6 +11,7 @@ use rtrb::{Consumer, Producer};
 use triple_buffer::Input;
 
 use crate::command::Command;
+use crate::memory::Piece;
 use crate::{Fault, Histogram, Servo, State, TickRecord, Totals};
 
 /// Ticks in a second; dividing by it gives the double nearest to the decimal time.
@@ -37,6 +39,7 @@ pub(crate) struct Ports {
     pub(crate) snapshots: Input<Snapshot>,
     pub(crate) update_times: Arc<Histogram>,
     pub(crate) lateness: Arc<Histogram>,
+    pub(crate) busy_times: Arc<Histogram>,
 }
 
 pub(crate) struct Engine {
@@ -44,24 +47,40 @@ pub(crate) struct Engine {
     ports: Ports,
     /// Periods since the session was made in which it ran, skipped ones included.
     periods: u64,
-    /// `periods` at the last tick.
-    periods_at_tick: u64,
+    /// Seconds on the session's clock at the last tick.
+    time_at_tick: f64,
     missed: u64,
     dropped: u64,
 }
 
 impl Engine {
     pub(crate) fn new(servo: Servo, ports: Ports) -> Engine {
-        Engine { servo, ports, periods: 0, periods_at_tick: 0, missed: 0, dropped: 0 }
+        Engine { servo, ports, periods: 0, time_at_tick: 0.0, missed: 0, dropped: 0 }
     }
 
-    /// Does what was asked, then one tick, and publishes it.
-    pub(crate) fn tick(&mut self) {
+    /// Seconds that the session has run, to the last deadline.
+    pub(crate) fn time(&self) -> f64 {
+        self.periods as f64 / TICKS_PER_SECOND
+    }
+
+    /// The tick of the next deadline, exactly at it.
+    pub(crate) fn step(&mut self) {
+        let time = (self.periods + 1) as f64 / TICKS_PER_SECOND;
+        // The last tick was at a deadline too: whole periods lie between.
+        let periods = ((time - self.time_at_tick) * TICKS_PER_SECOND).round();
+        self.tick(time, periods * NOMINAL_PERIOD);
+    }
+
+    /// The tick of the next deadline, which began at `time` on the session's clock.
+    pub(crate) fn tick_at(&mut self, time: f64) {
+        self.tick(time, time - self.time_at_tick);
+    }
+
+    /// Does what was asked, then the next deadline's tick, and publishes it.
+    fn tick(&mut self, time: f64, dt: f64) {
         self.apply_commands();
         self.periods += 1;
-        let time = self.periods as f64 / TICKS_PER_SECOND;
-        let dt = (self.periods - self.periods_at_tick) as f64 * NOMINAL_PERIOD;
-        self.periods_at_tick = self.periods;
+        self.time_at_tick = time;
 
         let begin = Instant::now();
         let record = self.servo.tick(time, dt);
@@ -84,6 +103,27 @@ impl Engine {
         self.ports.lateness.record(nanoseconds);
     }
 
+    /// A live tick kept its thread busy that long.
+    pub(crate) fn note_busy(&self, nanoseconds: u64) {
+        self.ports.busy_times.record(nanoseconds);
+    }
+
+    /// What every tick needs, the smallest first.
+    pub(crate) fn memory(&mut self) -> Vec<Piece> {
+        let mut pieces = vec![Piece::of(self)];
+        pieces.extend(self.servo.memory());
+        for histogram in [&self.ports.update_times, &self.ports.lateness, &self.ports.busy_times] {
+            pieces.push(Piece::of(&**histogram));
+        }
+        pieces.extend(ring_memory(&mut self.ports.records));
+        pieces
+    }
+
+    /// The servo, for what is set while the engine stands.
+    pub(crate) fn servo(&mut self) -> &mut Servo {
+        &mut self.servo
+    }
+
     /// Does what was asked, in order. While no model can be retired, commands wait.
     pub(crate) fn apply_commands(&mut self) {
         // Counted, so that no sender can keep a tick from beginning.
@@ -103,6 +143,7 @@ impl Engine {
         match command {
             Command::Window(frame) => self.servo.set_frame(frame),
             Command::Target(target) => self.servo.set_target(target),
+            Command::PassivityControl(controls) => self.servo.set_passivity_control(controls),
             Command::Model(model) => {
                 let retired = self.servo.set_model(model);
                 // Room was made before, so that nothing is freed here.
@@ -127,19 +168,41 @@ impl Engine {
             engine.servo.release();
             engine.apply_commands();
         });
-        self.periods_at_tick = self.periods;
+        self.time_at_tick = self.time();
         self.publish();
     }
 
     fn publish(&mut self) {
         let totals =
-            Totals { missed_ticks: self.missed, dropped: self.dropped, ..*self.servo.totals() };
-        let state = State::new(self.servo.latest(), self.servo.model());
+            Totals { missed_ticks: self.missed, dropped: self.dropped, ..self.servo.totals() };
+        let state = State::new(self.servo.latest(), self.servo.model(), self.servo.held());
         self.ports.snapshots.write(Snapshot { state, totals });
     }
 
     pub(crate) fn fault(&self) -> Option<&Fault> {
         self.servo.fault()
+    }
+}
+
+/// What is free of a ring, every page of it touched once.
+fn ring_memory<T>(ring: &mut Producer<T>) -> [Piece; 2] {
+    let free = ring.slots();
+    let mut chunk = ring.write_chunk_uninit(free).expect("as many slots as there are");
+    let (first, second) = chunk.as_mut_slices();
+    [first, second].map(|part| {
+        let piece = Piece::of(part);
+        touch(part);
+        piece
+    })
+}
+
+/// A page that is written to is there from then on.
+fn touch<T>(part: &mut [MaybeUninit<T>]) {
+    const PAGE: usize = 4096;
+    let stride = (PAGE / size_of::<T>().max(1)).max(1);
+    for slot in part.iter_mut().step_by(stride) {
+        // All zeros are as good as what was never written.
+        std::hint::black_box(std::mem::replace(slot, MaybeUninit::zeroed()));
     }
 }
 
@@ -151,7 +214,7 @@ fn nanoseconds_since(begin: Instant) -> u64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Frame, Window};
+    use crate::{Frame, Settings, Window};
     use contact::{Model, ProxyGraph};
     use devices::{Hand, SimulatedDevice};
     use rtrb::RingBuffer;
@@ -165,13 +228,13 @@ mod tests {
         let frame = Frame::new(window, 0.16, &layout).unwrap();
         let grid = Arc::new(Grid::from_vec(vec![0; 32], layout).unwrap());
         let device = Box::new(SimulatedDevice::new(Hand::default()).unwrap());
-        Servo::new(device, Box::new(ProxyGraph::new(1)), grid, frame, 500.0, 8.0).unwrap()
+        Servo::new(device, Box::new(ProxyGraph::new(1)), grid, frame, &Settings::default()).unwrap()
     }
 
     #[test]
     fn where_no_model_can_be_retired_commands_wait_in_their_order() {
         let servo = servo();
-        let state = State::new(servo.latest(), servo.model());
+        let state = State::new(servo.latest(), servo.model(), None);
         let (mut commands, commands_taken) = RingBuffer::new(8);
         let (retired_given, mut retired) = RingBuffer::new(1);
         let ports = Ports {
@@ -181,6 +244,7 @@ mod tests {
             snapshots: triple_buffer(&Snapshot { state, totals: Totals::default() }).0,
             update_times: Arc::new(Histogram::new()),
             lateness: Arc::new(Histogram::new()),
+            busy_times: Arc::new(Histogram::new()),
         };
         let mut engine = Engine::new(servo, ports);
         for _ in 0..2 {
@@ -188,15 +252,15 @@ mod tests {
             assert!(commands.push(Command::Model(model)).is_ok());
         }
         assert!(commands.push(Command::Target([0.0; 3])).is_ok());
-        engine.tick();
+        engine.step();
         assert_eq!((commands.slots(), retired.slots()), (6, 1));
-        engine.tick();
+        engine.step();
         assert_eq!((commands.slots(), retired.slots()), (6, 1), "nothing is freed, nothing lost");
         assert!(retired.pop().is_ok());
-        engine.tick();
+        engine.step();
         assert_eq!((commands.slots(), retired.slots()), (7, 1), "the target waits behind it");
         assert!(retired.pop().is_ok());
-        engine.tick();
+        engine.step();
         assert_eq!((commands.slots(), retired.slots()), (8, 0));
     }
 }

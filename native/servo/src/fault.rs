@@ -2,12 +2,20 @@
 
 use devices::DeviceError;
 
+use crate::safety::TOO_MANY;
+
 /// Why touch ended by itself, in words for the person. After a fault a session gives no force.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Fault {
     /// The device did not answer as it should.
     #[error("touch ended because {0}")]
-    Device(#[from] DeviceError),
+    Device(DeviceError),
+    /// The device failed again and again.
+    #[error(
+        "touch ended because the device failed {TOO_MANY} times within a second (check its cable, \
+         and use no hub between); the last time, {0}"
+    )]
+    Unreliable(DeviceError),
     /// The grid's file became shorter than it was.
     #[error("touch ended because the terrain's file was cut while in use: import it again")]
     GridDamaged,

@@ -35,6 +35,8 @@ fn longest_in(bucket: usize) -> u64 {
 /// Counts of times from 1 ns to 10 s, written by one thread while others read.
 pub struct Histogram {
     counts: [AtomicU64; BUCKETS],
+    /// Nanoseconds; at a millisecond each it holds 500 years.
+    sum: AtomicU64,
 }
 
 impl Default for Histogram {
@@ -46,33 +48,58 @@ impl Default for Histogram {
 impl Histogram {
     /// An empty one.
     pub fn new() -> Histogram {
-        Histogram { counts: std::array::from_fn(|_| AtomicU64::new(0)) }
+        let counts = std::array::from_fn(|_| AtomicU64::new(0));
+        Histogram { counts, sum: AtomicU64::new(0) }
     }
 
     /// Counts one time. Wait-free.
     pub fn record(&self, nanoseconds: u64) {
-        let bucket = bucket_of(nanoseconds.min(LONGEST_NS));
+        let nanoseconds = nanoseconds.min(LONGEST_NS);
         // Relaxed: each count stands for itself, nothing else is read through it.
-        self.counts[bucket].fetch_add(1, Ordering::Relaxed);
+        self.counts[bucket_of(nanoseconds)].fetch_add(1, Ordering::Relaxed);
+        self.sum.fetch_add(nanoseconds, Ordering::Relaxed);
     }
 
     /// The counts of now.
     pub fn distribution(&self) -> Distribution {
         let counts = self.counts.iter().map(|count| count.load(Ordering::Relaxed)).collect();
-        Distribution { counts }
+        Distribution { counts, sum: self.sum.load(Ordering::Relaxed) }
     }
 }
 
 /// A copy of a histogram at one moment.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Distribution {
+    /// Empty where nothing was ever counted.
     counts: Box<[u64]>,
+    /// Nanoseconds.
+    sum: u64,
+}
+
+impl std::ops::AddAssign for Distribution {
+    fn add_assign(&mut self, other: Distribution) {
+        if self.counts.is_empty() {
+            self.counts = other.counts;
+        } else {
+            for (count, more) in self.counts.iter_mut().zip(&other.counts) {
+                *count += more;
+            }
+        }
+        self.sum += other.sum;
+    }
 }
 
 impl Distribution {
     /// How many times were counted.
     pub fn count(&self) -> u64 {
         self.counts.iter().sum()
+    }
+
+    /// The mean time, nanoseconds. `None` where nothing was counted. While times are being counted it
+    /// may be off by one of them.
+    pub fn mean(&self) -> Option<f64> {
+        let count = self.count();
+        (count > 0).then(|| self.sum as f64 / count as f64)
     }
 
     /// The time, in nanoseconds, that a share of `quantile` (0 to 1) of the times does not exceed.
@@ -115,8 +142,16 @@ mod tests {
     }
 
     #[test]
-    fn nothing_counted_has_no_quantile() {
+    fn nothing_counted_has_no_quantile_and_no_mean() {
         assert_eq!(Histogram::new().distribution().quantile(0.5), None);
+        assert_eq!(Histogram::new().distribution().mean(), None);
+    }
+
+    #[test]
+    fn the_mean_is_exact() {
+        let histogram = Histogram::new();
+        [1, 1000, 1_000_001].into_iter().for_each(|time| histogram.record(time));
+        assert_eq!(histogram.distribution().mean(), Some(1_001_002.0 / 3.0));
     }
 
     #[test]

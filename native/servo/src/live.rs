@@ -9,9 +9,21 @@ use crate::Fault;
 use crate::clock::Clock;
 use crate::deadlines::{after_tick, at_wake_up, moment_of};
 use crate::engine::Engine;
+use crate::memory::{LockedMemory, MemoryLock, stack_below};
+use crate::priority::{Priority, Promotion};
+
+/// In a second.
+const NANOSECONDS: f64 = 1e9;
 
 /// The thread's name, as debuggers and task lists show it (Linux shows 15 letters).
 const THREAD_NAME: &str = "haptic-servo";
+
+/// What the system granted to the thread.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Granted {
+    pub(crate) priority: Priority,
+    pub(crate) memory: LockedMemory,
+}
 
 /// An engine running on its thread.
 pub(crate) struct Live {
@@ -19,31 +31,42 @@ pub(crate) struct Live {
     process: u32,
     stop: Arc<AtomicBool>,
     thread: JoinHandle<Box<Engine>>,
+    granted: Granted,
 }
 
 impl Live {
-    /// Sets the engine going. Where there is no thread to be had, the engine comes back.
+    /// Sets the engine going, with real-time priority if that is wished and granted. Where there is
+    /// no thread to be had, the engine comes back.
     ///
     /// A fault that ends the loop is left in `fault` after the last zero force.
     pub(crate) fn start(
         engine: Box<Engine>,
+        wants_real_time: bool,
         fault: Arc<OnceLock<Fault>>,
     ) -> Result<Live, (io::Error, Box<Engine>)> {
         let stop = Arc::new(AtomicBool::new(false));
         let stop_seen = Arc::clone(&stop);
         // The engine follows the thread, so that a thread that cannot be made does not lose it.
         let (hand_over, engine_to_come) = mpsc::sync_channel::<Box<Engine>>(1);
+        let (granted_given, granted) = mpsc::sync_channel(1);
         let spawned = Builder::new().name(THREAD_NAME.to_owned()).spawn(move || {
             let engine = engine_to_come.recv().expect("the engine is sent once the thread exists");
-            run_guarded(engine, &stop_seen, &fault)
+            run_prepared(engine, wants_real_time, &granted_given, &stop_seen, &fault)
         });
         match spawned {
             Ok(thread) => {
                 hand_over.send(engine).expect("the thread waits for the engine");
-                Ok(Live { process: std::process::id(), stop, thread })
+                // A thread that breaks down before has nothing granted.
+                let granted = granted.recv().unwrap_or_default();
+                Ok(Live { process: std::process::id(), stop, thread, granted })
             }
             Err(error) => Err((error, engine)),
         }
+    }
+
+    /// What the system granted to the thread.
+    pub(crate) fn granted(&self) -> &Granted {
+        &self.granted
     }
 
     /// Whether the loop has not ended by itself.
@@ -63,6 +86,25 @@ impl Live {
     }
 }
 
+/// Readies the thread, says what was granted, and runs the loop until its end.
+fn run_prepared(
+    mut engine: Box<Engine>,
+    wants_real_time: bool,
+    granted: &mpsc::SyncSender<Granted>,
+    stop: &AtomicBool,
+    fault: &OnceLock<Fault>,
+) -> Box<Engine> {
+    let pieces = [stack_below()].into_iter().chain(engine.memory());
+    let lock = MemoryLock::of(pieces);
+    // Last: from here on nothing of the thread may take long.
+    let (promotion, priority) = if wants_real_time { Promotion::ask() } else { Promotion::none() };
+    // Whoever starts the thread may have gone; the loop then sees that it shall stop.
+    let _ = granted.send(Granted { priority, memory: lock.memory() });
+    let engine = run_guarded(engine, stop, fault);
+    drop(promotion);
+    engine
+}
+
 /// Whatever happens in the loop, zero force is what the device gets last.
 fn run_guarded(mut engine: Box<Engine>, stop: &AtomicBool, fault: &OnceLock<Fault>) -> Box<Engine> {
     engine.release();
@@ -76,6 +118,7 @@ fn run_guarded(mut engine: Box<Engine>, stop: &AtomicBool, fault: &OnceLock<Faul
 
 fn run(engine: &mut Engine, stop: &AtomicBool) {
     let clock = Clock::start();
+    let began = engine.time();
     let mut deadline = 1;
     while engine.fault().is_none() {
         clock.sleep_until(moment_of(deadline));
@@ -87,9 +130,11 @@ fn run(engine: &mut Engine, stop: &AtomicBool) {
         let due = at_wake_up(deadline, now);
         engine.miss(due.missed);
 
-        engine.tick();
+        engine.tick_at(began + now as f64 / NANOSECONDS);
 
-        let next = after_tick(due.deadline, clock.now());
+        let end = clock.now();
+        engine.note_busy(end.saturating_sub(now));
+        let next = after_tick(due.deadline, end);
         engine.miss(next.missed);
         deadline = next.deadline;
     }

@@ -1,32 +1,31 @@
 //! One tick: hand, goal, proxy, force.
 
-use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 
 use contact::{Contact, ContactModel, Feature};
 use devices::{Capabilities, Device, Force, ParameterError, Pose};
 use surface::{Grid, GridPoint};
 
-use crate::force::{SlewLimit, limited, spring, stable_stiffness};
+use crate::force::spring;
 use crate::frame::ground_cells;
-use crate::{Fault, Frame, TickRecord, Totals};
+use crate::memory::Piece;
+use crate::passivity::{Coupling, Passivity, declared_damping};
+use crate::safety::{Heartbeat, Reading, Safety, Stage};
+use crate::{Fault, Frame, Held, Limits, Settings, TickRecord, Totals, Walls};
 
 /// A device, a contact model and a grid, joined by a spring from the hand to the proxy.
 ///
-/// The force passes through the same gates in every tick: finite or zero, never above the limit,
-/// changing no faster than its slew limit after a switch of models, zero for ever after a fault,
-/// zero when the servo is dropped.
+/// The servo says which force it wants; which one the hand gets is for the safety chain to say,
+/// which alone has the device.
 pub struct Servo {
-    device: Box<dyn Device>,
+    safety: Safety,
     model: Box<dyn ContactModel>,
     grid: Arc<Grid>,
     frame: Frame,
-    /// N/m.
-    stiffness: f64,
-    /// N.
-    max_force: f64,
-    /// Engaged when another contact model takes over.
-    slew: SlewLimit,
+    /// None until they are asked for.
+    walls: Option<Walls>,
+    /// Watches the energy of the spring.
+    passivity: Passivity,
     /// The goal of the last tick. `None` while the proxy has still to be placed at the hand.
     last_goal: Option<GridPoint>,
     latest: TickRecord,
@@ -35,28 +34,23 @@ pub struct Servo {
 }
 
 impl Servo {
-    /// Joins them. `stiffness` (N/m) and `max_force` (N), both checked by
-    /// [`Settings`](crate::Settings), are cut to what the device can show.
+    /// Joins them. What `settings` ask for is cut to what the device can show.
     pub fn new(
         device: Box<dyn Device>,
         model: Box<dyn ContactModel>,
         grid: Arc<Grid>,
         frame: Frame,
-        stiffness: f64,
-        max_force: f64,
+        settings: &Settings,
     ) -> Result<Servo, ParameterError> {
-        let capabilities = device.capabilities();
-        capabilities.validate()?;
         let origin = frame.terrain(&frame.goal([0.0; 3]));
-        let max_force = max_force.min(capabilities.max_force);
+        let capabilities = device.capabilities();
         Ok(Servo {
-            device,
+            safety: Safety::new(device, settings)?,
             model,
             grid,
             frame,
-            stiffness: stable_stiffness(stiffness, &capabilities),
-            max_force,
-            slew: SlewLimit::new(max_force),
+            walls: None,
+            passivity: Passivity::new(declared_damping(&capabilities), capabilities.delay_ticks),
             last_goal: None,
             latest: TickRecord::at_rest(origin),
             totals: Totals::default(),
@@ -90,62 +84,87 @@ impl Servo {
 
     /// The tick as it is while nothing is wrong.
     fn exchange(&mut self, time: f64, dt: f64) -> Result<(), Fault> {
-        let pose = self.device.read(time)?;
-        let force = self.answer(&pose, dt);
+        let wanted = match self.safety.read(time, dt)? {
+            Reading::Hand { pose, followed } => self.answer(&pose, followed, dt),
+            Reading::Nothing => Force::ZERO,
+        };
         // Asked after the update: it is in the update that a cut file is noticed.
         if self.grid.damaged() {
             return Err(Fault::GridDamaged);
         }
-        self.device.write(force, dt)?;
-        self.latest.force = force.newtons;
+        self.latest.force = self.safety.send(wanted, time, dt)?.newtons;
+        self.passivity.sent(self.latest.force);
         Ok(())
     }
 
-    /// The force for a pose, `dt` seconds after the last one.
-    fn answer(&mut self, pose: &Pose, dt: f64) -> Force {
-        let goal = self.frame.goal(pose.position);
-        if !(pose.is_finite() && goal.is_finite()) {
+    /// The force that a pose asks for, `dt` seconds after the last one; `followed` says whether the
+    /// hand came here as hands do.
+    fn answer(&mut self, pose: &Pose, followed: bool, dt: f64) -> Force {
+        let inside = self.walls.map_or(pose.position, |walls| walls.inside(pose.position));
+        let goal = self.frame.goal(inside);
+        if self.safety.is_on(Stage::Finite) && !goal.is_finite() {
             return self.distrust();
         }
         // The proxy begins at the hand: no force at first, even where the hand is in the ground.
-        match self.last_goal {
-            None => {
-                self.model.place(goal);
-                // There is no force to go on from.
-                self.slew.disengage();
-            }
+        match self.last_goal.filter(|_| followed) {
             Some(before) => self.totals.goal_cells += ground_cells(&before, &goal),
+            None if self.safety.is_on(Stage::Engage) => self.engage(goal),
+            None => {}
         }
         self.last_goal = Some(goal);
 
         let contact = self.model.update(&self.grid, self.frame.metric(), &goal);
-        if !contact.proxy.is_finite() {
+        if self.safety.is_on(Stage::Finite) && !contact.proxy.is_finite() {
             return self.distrust_model(pose, &goal);
         }
         self.count(&contact);
         self.report(pose, &goal, &contact);
-        let wanted = self.pull(&goal, &contact);
-        self.slew.limited(wanted, dt)
+        self.pull(pose, &goal, &contact, dt)
     }
 
-    /// The spring from the hand to the proxy, through the gates.
-    fn pull(&mut self, goal: &GridPoint, contact: &Contact) -> Force {
-        if contact.feature == Feature::Free {
-            return Force::ZERO;
-        }
-        let force = spring(self.stiffness, self.frame.displacement(goal, &contact.proxy));
+    fn engage(&mut self, goal: GridPoint) {
+        self.model.place(goal);
+        self.safety.engage();
+        self.passivity.begin();
+    }
+
+    /// The spring from the hand to where it shall be, under the eyes of the passivity observer, which
+    /// may add damping to it.
+    fn pull(&mut self, pose: &Pose, goal: &GridPoint, contact: &Contact, dt: f64) -> Force {
+        let stretch = self.stretch(pose, goal, contact);
+        let stiffness = self.safety.stiffness();
+        let force = spring(stiffness, stretch);
         if !force.is_finite() {
-            return self.distrust();
+            // No energy to keep account of: the safety chain lets none of it through.
+            return force;
         }
-        let (force, was_cut) = limited(force, self.max_force);
-        self.totals.clamped += u64::from(was_cut);
-        force
+        let clamped = self.safety.clamped(force);
+        let coupling = Coupling {
+            hand: pose.position,
+            force: clamped.newtons,
+            stretch: stretch[0].hypot(stretch[1]).hypot(stretch[2]),
+            stiffness,
+            dt,
+        };
+        let newtons = self.passivity.tick(&coupling);
+        self.totals.active_ticks = self.passivity.active_ticks();
+        // As it is, the chain shall cut and count it.
+        if newtons == clamped.newtons { force } else { Force { newtons } }
+    }
+
+    /// From the hand to where it shall be, metres.
+    fn stretch(&self, pose: &Pose, goal: &GridPoint, contact: &Contact) -> [f64; 3] {
+        let in_contact = contact.feature != Feature::Free;
+        let surface = in_contact.then(|| self.frame.displacement(goal, &contact.proxy));
+        match self.walls {
+            Some(walls) => walls.push(pose.position, surface),
+            None => surface.unwrap_or([0.0; 3]),
+        }
     }
 
     /// Something was not finite: no force, at once.
     fn distrust(&mut self) -> Force {
-        self.totals.not_finite += 1;
-        self.slew.disengage();
+        self.safety.distrust();
         Force::ZERO
     }
 
@@ -194,8 +213,7 @@ impl Servo {
     pub fn release(&mut self) {
         self.last_goal = None;
         self.latest.force = [0.0; 3];
-        // An error here changes nothing: there is no more that could be done for the hand.
-        let _ = self.device.write(Force::ZERO, 0.0);
+        self.safety.release();
     }
 
     /// Lays the workspace elsewhere. The hand then lies over other ground, so the proxy begins anew
@@ -211,28 +229,64 @@ impl Servo {
     /// its slew limit. Gives back the one before, for a tick must free nothing.
     pub fn set_model(&mut self, mut model: Box<dyn ContactModel>) -> Box<dyn ContactModel> {
         model.take_over(self.model.proxy());
-        self.slew.engage(Force { newtons: self.latest.force });
+        self.safety.hand_over();
         std::mem::replace(&mut self.model, model)
+    }
+
+    /// Walls around the hand, or none, from the next tick on, the force changing no faster than its
+    /// slew limit.
+    pub fn set_walls(&mut self, walls: Option<Walls>) {
+        self.safety.hand_over();
+        self.walls = walls;
+    }
+
+    /// Whether damping is added when the passivity observer finds that the spring gives more energy
+    /// than it took (Hannaford and Ryu, 2002). Off at first.
+    pub fn set_passivity_control(&mut self, controls: bool) {
+        self.passivity.set_control(controls);
+    }
+
+    /// The device's own damping, N s/m, where it is known better than what the stiffness it declares
+    /// says of it; the passivity observer counts on that much.
+    pub fn set_device_damping(&mut self, damping: f64) {
+        self.passivity.set_damping(damping);
     }
 
     /// Where a simulated hand shall go (workspace metres).
     pub fn set_target(&mut self, target: [f64; 3]) {
-        self.device.set_target(target);
+        self.safety.set_target(target);
+    }
+
+    /// What every tick needs beside the servo itself.
+    pub(crate) fn memory(&self) -> [Piece; 2] {
+        [Piece::of(&*self.model), self.safety.memory()]
     }
 
     /// What the device can do.
     pub fn capabilities(&self) -> Capabilities {
-        self.device.capabilities()
+        self.safety.capabilities()
     }
 
-    /// Of the spring, N/m, after the device's limit.
-    pub fn stiffness(&self) -> f64 {
-        self.stiffness
+    /// From now on there shall be no force while `heartbeat` stands still for longer than so many
+    /// seconds; `None` ends that.
+    pub(crate) fn watch_host(&mut self, heartbeat: Option<(Arc<Heartbeat>, f64)>) {
+        self.safety.watch_host(heartbeat);
     }
 
-    /// The largest force that is sent, N, after the device's limit.
-    pub fn max_force(&self) -> f64 {
-        self.max_force
+    /// Takes a stage out of the safety chain.
+    #[cfg(feature = "test-hooks")]
+    pub fn switch_off(&mut self, stage: Stage) {
+        self.safety.switch_off(stage);
+    }
+
+    /// What holds, after the device's limits.
+    pub fn limits(&self) -> &Limits {
+        self.safety.limits()
+    }
+
+    /// Why the force is away, or not yet wholly back.
+    pub fn held(&self) -> Option<Held> {
+        self.safety.held()
     }
 
     /// The name of the contact model in charge.
@@ -246,19 +300,12 @@ impl Servo {
     }
 
     /// Counts so far; missed and dropped ticks are not seen from here.
-    pub fn totals(&self) -> &Totals {
-        &self.totals
+    pub fn totals(&self) -> Totals {
+        Totals { trips: *self.safety.trips(), ..self.totals }
     }
 
     /// Why touch ended, if it did.
     pub fn fault(&self) -> Option<&Fault> {
         self.fault.as_ref()
-    }
-}
-
-impl Drop for Servo {
-    fn drop(&mut self) {
-        // A driver that panics here would abort the process if another panic brought us here.
-        let _ = catch_unwind(AssertUnwindSafe(|| self.release()));
     }
 }

@@ -11,8 +11,12 @@ use triple_buffer::{Output, triple_buffer};
 
 use crate::command::Command;
 use crate::engine::{COMMANDS, Engine, Ports, RETIRED, Snapshot, TICKS_PER_SECOND};
-use crate::live::Live;
-use crate::{Fault, Frame, Histogram, Servo, State, Statistics, TickRecord, Totals, Window};
+use crate::live::{Granted, Live};
+use crate::safety::Heartbeat;
+use crate::{
+    Fault, Frame, Histogram, Limits, LockedMemory, Priority, Servo, State, Statistics, TickRecord,
+    Totals, Warning, Window,
+};
 
 /// The longest ring: an hour of ticks takes half a gigabyte.
 const LONGEST_RING_SECONDS: f64 = 3600.0;
@@ -26,12 +30,33 @@ pub struct Settings {
     pub max_force: f64,
     /// Seconds of ticks kept for [`Session::drain`], up to an hour.
     pub ring_seconds: f64,
+    /// The fastest change of the force, N/s. The device's own limit holds too, and at any rate the
+    /// force takes 5 ms from nothing to the largest one.
+    pub max_slew: f64,
+    /// The fastest hand, m/s, beyond which the handle counts as slipped; the device's own limit
+    /// holds too.
+    pub max_speed: f64,
+    /// Seconds without a [`Session::heartbeat`] (or a look at its state) after which a live session
+    /// gives no force; `None` where nobody needs to look. [`STALE_AFTER`](crate::STALE_AFTER) for
+    /// hosts that draw.
+    pub stale_after: Option<f64>,
+    /// Whether a live session asks the system for real-time priority. A refusal is no error: see
+    /// [`Session::priority`].
+    pub real_time: bool,
 }
 
 impl Default for Settings {
     /// Stable on every device known so far, and gentle.
     fn default() -> Self {
-        Settings { stiffness: 500.0, max_force: 8.0, ring_seconds: 60.0 }
+        Settings {
+            stiffness: 500.0,
+            max_force: 8.0,
+            ring_seconds: 60.0,
+            max_slew: f64::INFINITY,
+            max_speed: f64::INFINITY,
+            stale_after: None,
+            real_time: true,
+        }
     }
 }
 
@@ -42,6 +67,11 @@ impl Settings {
         check::limit("stiffness", self.stiffness)?;
         check::finite("max_force", self.max_force)?;
         check::limit("max_force", self.max_force)?;
+        check::limit("max_slew", self.max_slew)?;
+        check::positive_or_infinite("max_speed", self.max_speed)?;
+        if let Some(seconds) = self.stale_after {
+            check::positive("stale_after", seconds)?;
+        }
         ring_capacity(self.ring_seconds).map(|_| ())
     }
 }
@@ -90,14 +120,20 @@ pub struct Session {
     model: &'static str,
     /// Metres.
     workspace_width: f64,
-    stiffness: f64,
-    max_force: f64,
+    limits: Limits,
+    /// Seconds.
+    stale_after: Option<f64>,
+    heartbeat: Arc<Heartbeat>,
     commands: Producer<Command>,
     retired: Consumer<Box<dyn ContactModel>>,
     records: Consumer<TickRecord>,
     snapshots: Output<Snapshot>,
     update_times: Arc<Histogram>,
     lateness: Arc<Histogram>,
+    busy_times: Arc<Histogram>,
+    real_time: bool,
+    /// To the thread that ran last.
+    granted: Granted,
     fault: Arc<OnceLock<Fault>>,
 }
 
@@ -116,24 +152,18 @@ impl Session {
         capabilities.validate()?;
         let frame = Frame::new(window, capabilities.workspace[0], grid.layout())?;
         let name = model.name();
-        let servo = Servo::new(
-            device,
-            model,
-            Arc::clone(&grid),
-            frame,
-            settings.stiffness,
-            settings.max_force,
-        )?;
+        let servo = Servo::new(device, model, Arc::clone(&grid), frame, &settings)?;
 
-        let (stiffness, max_force) = (servo.stiffness(), servo.max_force());
+        let limits = *servo.limits();
         let before_the_first_tick =
-            Snapshot { state: State::new(servo.latest(), name), totals: Totals::default() };
+            Snapshot { state: State::new(servo.latest(), name, None), totals: Totals::default() };
         let (commands, commands_taken) = RingBuffer::new(COMMANDS);
         let (retired_given, retired) = RingBuffer::new(RETIRED);
         let (records_given, records) = RingBuffer::new(capacity);
         let (snapshots_given, snapshots) = triple_buffer(&before_the_first_tick);
         let update_times = Arc::new(Histogram::new());
         let lateness = Arc::new(Histogram::new());
+        let busy_times = Arc::new(Histogram::new());
         let ports = Ports {
             commands: commands_taken,
             retired: retired_given,
@@ -141,6 +171,7 @@ impl Session {
             snapshots: snapshots_given,
             update_times: Arc::clone(&update_times),
             lateness: Arc::clone(&lateness),
+            busy_times: Arc::clone(&busy_times),
         };
         Ok(Session {
             place: Place::Here(Box::new(Engine::new(servo, ports))),
@@ -148,14 +179,18 @@ impl Session {
             window,
             model: name,
             workspace_width: capabilities.workspace[0],
-            stiffness,
-            max_force,
+            limits,
+            stale_after: settings.stale_after,
+            heartbeat: Arc::default(),
             commands,
             retired,
             records,
             snapshots,
             update_times,
             lateness,
+            busy_times,
+            real_time: settings.real_time,
+            granted: Granted::default(),
             fault: Arc::new(OnceLock::new()),
         })
     }
@@ -164,16 +199,21 @@ impl Session {
     pub fn start(&mut self) -> Result<(), SessionError> {
         self.refuse_after_fault()?;
         match std::mem::replace(&mut self.place, Place::Lost) {
-            Place::Here(engine) => match Live::start(engine, Arc::clone(&self.fault)) {
-                Ok(live) => {
-                    self.place = Place::Live(live);
-                    Ok(())
+            Place::Here(mut engine) => {
+                engine.servo().watch_host(self.watched_heartbeat());
+                match Live::start(engine, self.real_time, Arc::clone(&self.fault)) {
+                    Ok(live) => {
+                        self.granted = live.granted().clone();
+                        self.place = Place::Live(live);
+                        Ok(())
+                    }
+                    Err((error, mut engine)) => {
+                        engine.servo().watch_host(None);
+                        self.place = Place::Here(engine);
+                        Err(SessionError::Thread(error))
+                    }
                 }
-                Err((error, engine)) => {
-                    self.place = Place::Here(engine);
-                    Err(SessionError::Thread(error))
-                }
-            },
+            }
             elsewhere => {
                 self.place = elsewhere;
                 Err(SessionError::AlreadyRunning)
@@ -189,6 +229,8 @@ impl Session {
                     // What a full ring kept waiting is done before what is asked from now on.
                     self.free_retired();
                     engine.guard(Engine::apply_commands);
+                    // Steps are done at the host's own pace, so there is no host to wait for.
+                    engine.servo().watch_host(None);
                     self.place = Place::Here(engine);
                 }
                 None => {
@@ -208,7 +250,7 @@ impl Session {
         };
         engine.guard(|engine| {
             for _ in 0..count {
-                engine.tick();
+                engine.step();
                 if engine.fault().is_some() {
                     return;
                 }
@@ -218,6 +260,16 @@ impl Session {
             self.fault.get_or_init(|| fault.clone());
         }
         self.refuse_after_fault()
+    }
+
+    /// How the system schedules the thread that runs live, or ran last.
+    pub fn priority(&self) -> &Priority {
+        &self.granted.priority
+    }
+
+    /// What the system keeps in memory for that thread.
+    pub fn locked_memory(&self) -> LockedMemory {
+        self.granted.memory
     }
 
     /// Whether it runs live; false as soon as a fault has ended touch.
@@ -268,9 +320,16 @@ impl Session {
         self.command(Command::Target(target))
     }
 
+    /// Whether damping is added, from the next tick on, when the passivity observer finds that the
+    /// spring gives more energy than it took. Off at first.
+    pub fn set_passivity_control(&mut self, controls: bool) -> Result<(), SessionError> {
+        self.command(Command::PassivityControl(controls))
+    }
+
     /// The newest tick. Also looks whether the grid's file has been cut, which the servo cannot.
     pub fn state(&mut self) -> State {
         self.free_retired();
+        self.heartbeat.beat();
         self.grid.look_at_file();
         self.snapshots.read().state
     }
@@ -281,6 +340,7 @@ impl Session {
             totals: self.snapshots.read().totals,
             update_times: self.update_times.distribution(),
             lateness: self.lateness.distribution(),
+            busy_times: self.busy_times.distribution(),
         }
     }
 
@@ -295,14 +355,23 @@ impl Session {
         drained
     }
 
-    /// Of the spring, N/m, after the device's limit.
-    pub fn stiffness(&self) -> f64 {
-        self.stiffness
+    /// What holds, after the device's limits.
+    pub fn limits(&self) -> &Limits {
+        &self.limits
     }
 
-    /// The largest force that is sent, N, after the device's limit.
-    pub fn max_force(&self) -> f64 {
-        self.max_force
+    /// What the safety chain did so far, in words for the person, the gravest first.
+    pub fn warnings(&mut self) -> Vec<Warning> {
+        Warning::all(&self.limits, &self.snapshots.read().totals)
+    }
+
+    /// Whoever needs to look at a live session is still there: see [`Settings::stale_after`].
+    pub fn heartbeat(&self) {
+        self.heartbeat.beat();
+    }
+
+    fn watched_heartbeat(&self) -> Option<(Arc<Heartbeat>, f64)> {
+        self.stale_after.map(|seconds| (Arc::clone(&self.heartbeat), seconds))
     }
 
     fn refuse_after_fault(&self) -> Result<(), SessionError> {
@@ -328,10 +397,38 @@ impl Session {
             // A thread that ended by itself takes nothing any more, and that is no mistake of
             // whoever moves the window meanwhile.
             Place::Live(live) => match self.commands.push(command) {
-                Err(_) if live.is_running() => Err(SessionError::CommandsFull),
+                Err(_) if live.is_running() && self.fault.get().is_none() => {
+                    Err(SessionError::CommandsFull)
+                }
                 _ => Ok(()),
             },
             Place::Lost => Ok(()),
+        }
+    }
+}
+
+/// For tests that make devices and hosts fail in steps. None of it does anything to a live session.
+#[cfg(feature = "test-hooks")]
+impl Session {
+    /// Takes a stage out of the safety chain.
+    pub fn switch_off(&mut self, stage: crate::Stage) {
+        if let Place::Here(engine) = &mut self.place {
+            engine.servo().switch_off(stage);
+        }
+    }
+
+    /// Lets deadlines pass without a tick, as a device or a machine that stalls does.
+    pub fn stall(&mut self, ticks: u64) {
+        if let Place::Here(engine) = &mut self.place {
+            engine.miss(ticks);
+        }
+    }
+
+    /// Has steps watch for the host's heartbeat as a live session does.
+    pub fn watch_host_in_steps(&mut self) {
+        let heartbeat = self.watched_heartbeat();
+        if let Place::Here(engine) = &mut self.place {
+            engine.servo().watch_host(heartbeat);
         }
     }
 }

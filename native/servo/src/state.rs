@@ -2,7 +2,7 @@
 
 use contact::Feature;
 
-use crate::TickRecord;
+use crate::{Held, TickRecord};
 
 /// What the hand's motion does.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -42,10 +42,12 @@ pub struct State {
     pub mode: Mode,
     /// The name of the contact model in charge.
     pub model: &'static str,
+    /// Why the force is away, or not yet wholly back.
+    pub held: Option<Held>,
 }
 
 impl State {
-    pub(crate) fn new(record: &TickRecord, model: &'static str) -> State {
+    pub(crate) fn new(record: &TickRecord, model: &'static str, held: Option<Held>) -> State {
         State {
             tick: record.tick,
             time: record.time,
@@ -56,6 +58,7 @@ impl State {
             feature: record.feature,
             mode: Mode::Normal,
             model,
+            held,
         }
     }
 

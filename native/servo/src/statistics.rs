@@ -1,6 +1,7 @@
 //! Counts and times of a session.
 
-use crate::Distribution;
+use crate::deadlines::PERIOD_NS;
+use crate::{Distribution, Trips};
 
 /// Counts since the session was made.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -27,14 +28,15 @@ pub struct Totals {
     pub cycles_ended: u64,
     /// Updates that ended with steps left over.
     pub unfinished: u64,
-    /// Ticks whose pose or force was not finite: answered with zero force.
-    pub not_finite: u64,
-    /// Ticks whose force was cut to the limit.
-    pub clamped: u64,
+    /// Ticks in which the spring had given the hand more energy than it took, as the passivity
+    /// observer counts it.
+    pub active_ticks: u64,
     /// Ticks that found the ring full; they are lost to recordings.
     pub dropped: u64,
     /// Cells that the goal travelled over the ground, summed over the ticks.
     pub goal_cells: f64,
+    /// How often each stage of the safety chain has acted.
+    pub trips: Trips,
 }
 
 /// Counts and times since the session was made.
@@ -46,12 +48,25 @@ pub struct Statistics {
     pub update_times: Distribution,
     /// Nanoseconds from deadline to wake-up, live ticks only.
     pub lateness: Distribution,
+    /// Nanoseconds from wake-up to sleep, live ticks only: everything that a tick takes.
+    pub busy_times: Distribution,
 }
 
 impl Statistics {
     /// Microseconds from the device's read to its write; 0 before the first tick.
     pub fn update_us(&self, quantile: f64) -> f64 {
         microseconds(&self.update_times, quantile)
+    }
+
+    /// The share of a millisecond that live ticks take, mean: the servo's load (the paper's HLOAD
+    /// measures it on its device's servo). 0 before the first live tick.
+    pub fn mean_load(&self) -> f64 {
+        self.busy_times.mean().unwrap_or(0.0) / PERIOD_NS as f64
+    }
+
+    /// The share of a millisecond that a share of `quantile` of the live ticks does not exceed.
+    pub fn load(&self, quantile: f64) -> f64 {
+        self.busy_times.quantile(quantile).unwrap_or(0) as f64 / PERIOD_NS as f64
     }
 
     /// Microseconds from deadline to wake-up; 0 before the first live tick.

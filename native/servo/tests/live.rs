@@ -19,7 +19,8 @@ fn a_live_session_ticks_by_itself_and_records_every_tick() {
     let log = Log::default();
     let mut session = session(Watched::pressing(&log), proxy_graph());
     session.start().unwrap();
-    wait_for_reads(&log, 20);
+    // On a busy machine missed ticks may hold the force back for a while.
+    wait_until(|| log.reads() >= 20 && log.forces().last().is_some_and(|force| force[2] > 0.0));
     assert!(session.running());
     session.stop();
     assert!(!session.running());
@@ -32,7 +33,7 @@ fn a_live_session_ticks_by_itself_and_records_every_tick() {
     assert!(records.windows(2).all(|pair| pair[1].time > pair[0].time));
     assert_eq!(statistics.update_times.count(), statistics.totals.ticks);
     assert_eq!(statistics.lateness.count(), statistics.totals.ticks);
-    assert!(records.last().unwrap().force[2] > 0.0);
+    assert!(records.iter().any(|record| record.force[2] > 0.0));
     assert_eq!(session.state().force, [0.0; 3], "a session that stands gives no force");
 }
 
@@ -151,7 +152,7 @@ fn a_fault_ends_the_thread_by_itself() {
     session.set_window(window()).unwrap();
     session.stop();
     assert!(session.start().is_err(), "nor is it started after it was stopped");
-    assert_eq!(log.reads(), 11);
+    assert_eq!(log.reads(), 13, "two failures in a row are forgiven, the third is not");
 }
 
 #[test]

@@ -10,10 +10,10 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use common::*;
 use contact::Feature;
 use devices::{
-    Capabilities, Device, DeviceError, Force, Hand, PathPoint, Pose, ScriptedDevice,
+    Capabilities, Device, DeviceError, Force, Hand, Mechanism, PathPoint, Pose, ScriptedDevice,
     SimulatedDevice,
 };
-use servo::{Session, Settings, Window};
+use servo::{Frame, STALE_AFTER, Servo, Session, Settings, Walls, Window};
 use surface::GridPoint;
 
 thread_local! {
@@ -84,6 +84,29 @@ fn ticks_through_rough_ground_allocate_nothing() {
 }
 
 #[test]
+fn walls_and_passivity_control_allocate_nothing() {
+    // On a device that pushes late and can show nearly nothing, so that the controller has work.
+    let mechanism =
+        Mechanism { delay_ticks: 3, max_stiffness: Some(5000.0), ..Mechanism::default() };
+    let hand = Hand { damping: 0.2, target: [0.0, 0.0, 0.03], ..Hand::default() };
+    let device = Box::new(SimulatedDevice::held(hand, mechanism).unwrap());
+    let ground = ground(rough);
+    let frame = Frame::new(window(), 0.16, ground.layout()).unwrap();
+    let mut servo = Servo::new(device, proxy_graph(), ground, frame, &Settings::default()).unwrap();
+    servo.set_walls(Some(Walls::new(0.01, 0.01).unwrap()));
+    servo.set_passivity_control(true);
+    servo.set_device_damping(0.1);
+    servo.set_target([0.02, 0.02, -0.03]);
+    let calls = calls_during(|| {
+        for tick in 1..=4000 {
+            servo.tick(f64::from(tick) * 1e-3, 1e-3);
+        }
+    });
+    assert_eq!(calls, 0);
+    assert!(servo.totals().contact_ticks > 0 && servo.totals().active_ticks > 0);
+}
+
+#[test]
 fn a_full_ring_and_commands_allocate_nothing() {
     let device = SimulatedDevice::new(Hand::default()).unwrap();
     let mut session = session_with(device, 0.01);
@@ -100,6 +123,48 @@ fn a_full_ring_and_commands_allocate_nothing() {
     assert!(session.statistics().totals.dropped > 0);
 }
 
+#[test]
+fn no_stage_of_the_safety_chain_allocates() {
+    let log = Log::default();
+    let device = {
+        let mut device = Watched::new(&log, |read| match read {
+            0 => Ok([0.0, 0.0, 0.01]),
+            500 | 700 | 701 => Err(DeviceError::Timeout("no packet".into())),
+            900 => Ok([f64::NAN, 0.0, 0.0]),
+            1000 => Ok([1.0, 0.0, 0.0]),
+            _ => Ok([0.0, 0.0, -0.02 * f64::from(u8::from(read / 100 % 2 == 1))]),
+        });
+        device.capabilities.max_speed = 25.0;
+        device
+    };
+    let settings = Settings {
+        max_force: 5.0,
+        stale_after: Some(STALE_AFTER),
+        ring_seconds: 0.5,
+        ..Settings::default()
+    };
+    let mut session =
+        Session::new(flat_ground(), Box::new(device), proxy_graph(), window(), settings).unwrap();
+    session.watch_host_in_steps();
+    log.make_room(10_000);
+    let calls = calls_during(|| {
+        for turn in 0..150 {
+            session.step(10).unwrap();
+            session.heartbeat();
+            if turn == 120 {
+                session.stall(7);
+            }
+        }
+        session.step(300).unwrap();
+    });
+    assert_eq!(calls, 0);
+    let trips = session.statistics().totals.trips;
+    assert_eq!((trips.device_errors, trips.not_finite, trips.speed_cuts), (3, 1, 1));
+    assert_eq!((trips.late_cuts, trips.host_cuts), (1, 1));
+    assert!(trips.clamped > 0 && trips.ramped > 0 && trips.slew_limited > 0);
+    assert!(trips.engaged > 1 && session.statistics().totals.dropped > 0);
+}
+
 /// A hand in the ground that tells how often its thread has called the allocator.
 struct Telltale {
     reads: Arc<AtomicU64>,
@@ -114,7 +179,7 @@ impl Device for Telltale {
     fn read(&mut self, _time: f64) -> Result<Pose, DeviceError> {
         self.calls.store(CALLS.get(), Ordering::Release);
         let read = self.reads.fetch_add(1, Ordering::AcqRel);
-        Ok(Pose { position: [0.0, 0.0, if read == 0 { 0.01 } else { -0.01 }] })
+        Ok(Pose::at([0.0, 0.0, if read == 0 { 0.01 } else { -0.01 }]))
     }
 
     fn write(&mut self, _force: Force, _dt: f64) -> Result<(), DeviceError> {

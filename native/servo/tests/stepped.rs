@@ -5,7 +5,7 @@ mod common;
 use common::*;
 use contact::Feature;
 use devices::{DeviceError, Hand, SimulatedDevice};
-use servo::{Fault, Session, SessionError, Settings, TickRecord, Window};
+use servo::{Fault, Held, Session, SessionError, Settings, TickRecord, Window};
 use surface::GridPoint;
 
 fn rolling_hills(column: u32, row: u32) -> f64 {
@@ -131,9 +131,9 @@ fn forces_are_cut_to_the_lower_limit() {
         let mut session =
             Session::new(flat_ground(), Box::new(device), proxy_graph(), window(), settings)
                 .unwrap();
-        assert_eq!(session.max_force(), expected);
-        session.step(10).unwrap();
-        assert_eq!(session.statistics().totals.clamped, 9, "all but the tick in the air");
+        assert_eq!(session.limits().max_force, expected);
+        session.step(60).unwrap();
+        assert_eq!(session.statistics().totals.trips.clamped, 59, "all but the tick in the air");
         assert!((log.last_force()[2] - expected).abs() < 1e-12);
     }
 }
@@ -145,9 +145,11 @@ fn the_stiffness_is_cut_to_what_the_device_can_show() {
     device.capabilities.max_stiffness = 300.0;
     device.capabilities.delay_ticks = 1;
     let mut session = session(device, proxy_graph());
-    assert_eq!(session.stiffness(), 100.0);
-    session.step(2).unwrap();
+    assert_eq!(session.limits().stiffness, 100.0);
+    session.step(60).unwrap();
     assert!((log.last_force()[2] - 1.0).abs() < 1e-9, "1 cm at 100 N/m");
+    let told: Vec<String> = session.warnings().iter().map(ToString::to_string).collect();
+    assert!(told[0].contains("from 500 to 100 N/m"), "{told:?}");
 }
 
 #[test]
@@ -169,7 +171,7 @@ fn a_pose_that_is_not_a_number_gives_zero_force_and_is_counted() {
         assert_eq!(record.force[2] > 0.0, touching, "tick {read}");
         assert!(record.hand.iter().chain(&record.goal).all(|number| number.is_finite()));
     }
-    assert_eq!(session.statistics().totals.not_finite, 2);
+    assert_eq!(session.statistics().totals.trips.not_finite, 2);
     assert_eq!(session.fault(), None);
 }
 
@@ -184,7 +186,7 @@ fn a_proxy_that_is_not_a_number_gives_zero_force_and_is_counted() {
     let log = Log::default();
     let mut session = session(Watched::pressing(&log), Box::new(Told(lost_once)));
     session.step(3).unwrap();
-    assert_eq!(session.statistics().totals.not_finite, 1);
+    assert_eq!(session.statistics().totals.trips.not_finite, 1);
     assert_eq!(log.forces()[1], [0.0; 3]);
     assert!(log.forces()[2][2] > 0.0);
     assert!(session.drain()[1].proxy.iter().all(|metres| metres.is_finite()));
@@ -205,7 +207,7 @@ fn a_force_beyond_all_numbers_is_zero() {
     .unwrap();
     session.step(2).unwrap();
     assert_eq!(log.last_force(), [0.0; 3]);
-    assert_eq!(session.statistics().totals.not_finite, 2);
+    assert_eq!(session.statistics().totals.trips.not_finite, 2);
 }
 
 #[test]
@@ -334,6 +336,36 @@ fn dropping_a_stepped_session_leaves_no_force() {
 }
 
 #[test]
+fn the_last_zero_force_is_tried_again_where_the_device_refuses_it() {
+    let log = Log::default();
+    let mut device = Watched::pressing(&log);
+    // The hundredth force and the next one are refused: they are the first two tries of the end.
+    device.refused_writes = 100..102;
+    let mut session = session(device, proxy_graph());
+    session.step(100).unwrap();
+    assert!(log.last_force()[2] > 0.0);
+    drop(session);
+    assert_eq!(log.forces().len(), 103);
+    assert_eq!(log.last_force(), [0.0; 3]);
+    assert!(log.dropped());
+}
+
+#[test]
+fn a_write_that_fails_is_made_good_in_the_same_tick() {
+    let log = Log::default();
+    let mut device = Watched::pressing(&log);
+    device.refused_writes = 80..81;
+    let mut session = session(device, proxy_graph());
+    session.step(81).unwrap();
+    assert_eq!(session.state().force, [0.0; 3]);
+    assert!(log.forces()[80][2] > 0.0 && log.forces()[81] == [0.0; 3]);
+    assert_eq!(session.state().held, Some(Held::Device));
+    session.step(200).unwrap();
+    assert_eq!(session.state().held, None);
+    assert!((log.last_force()[2] - 5.0).abs() < 1e-9);
+}
+
+#[test]
 fn bad_settings_are_refused_by_name() {
     let good = Settings::default();
     let bad = [
@@ -343,6 +375,10 @@ fn bad_settings_are_refused_by_name() {
         (Settings { ring_seconds: 0.0, ..good }, "ring_seconds"),
         (Settings { ring_seconds: 1e12, ..good }, "ring_seconds"),
         (Settings { ring_seconds: f64::NAN, ..good }, "ring_seconds"),
+        (Settings { max_slew: -1.0, ..good }, "max_slew"),
+        (Settings { max_speed: 0.0, ..good }, "max_speed"),
+        (Settings { stale_after: Some(0.0), ..good }, "stale_after"),
+        (Settings { stale_after: Some(f64::INFINITY), ..good }, "stale_after"),
     ];
     for (settings, name) in bad {
         let device = SimulatedDevice::new(Hand::default()).unwrap();

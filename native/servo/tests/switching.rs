@@ -25,7 +25,9 @@ const TICKS: u64 = 600;
 const SWITCH: u64 = 300;
 
 /// No force of these paths is cut: what is judged is the slew limit alone.
-const SETTINGS: Settings = Settings { stiffness: 100.0, max_force: 8.0, ring_seconds: 60.0 };
+fn settings() -> Settings {
+    Settings { stiffness: 100.0, ..Settings::default() }
+}
 
 /// Of a force up to 8 N that may swing fully in 50 ms, in a tick.
 const SLEW: f64 = 8.0 / 0.05 * NOMINAL_PERIOD;
@@ -48,7 +50,7 @@ fn sliding() -> impl Device {
 }
 
 fn sliding_with(model: Box<dyn ContactModel>) -> Session {
-    Session::new(ground(rough), Box::new(sliding()), model, window(), SETTINGS).unwrap()
+    Session::new(ground(rough), Box::new(sliding()), model, window(), settings()).unwrap()
 }
 
 fn unswitched(model: Box<dyn ContactModel>) -> Vec<TickRecord> {
@@ -230,12 +232,12 @@ fn zero_force_is_never_late() {
     let log = Log::default();
     let device = Watched::new(&log, |read| match read {
         0 => Ok([0.0, 0.0, 0.01]),
-        12 => Ok([f64::NAN, 0.0, -0.01]),
-        20.. => Err(DeviceError::Gone("unplugged".into())),
+        72 => Ok([f64::NAN, 0.0, -0.01]),
+        80.. => Err(DeviceError::Gone("unplugged".into())),
         _ => Ok([0.0, 0.0, -0.01]),
     });
     let mut session = session(device, offset(0.0));
-    session.step(10).unwrap();
+    session.step(70).unwrap();
     session.set_model(offset(3.0)).unwrap();
     session.step(2).unwrap();
     let before = log.last_force()[2];

@@ -3,6 +3,7 @@
 // Every test file uses its own part of this.
 #![allow(dead_code)]
 
+use std::ops::Range;
 use std::sync::{Arc, Mutex};
 
 use contact::{Contact, ContactModel, Counters, Feature, Proxy, ProxyGraph};
@@ -67,6 +68,11 @@ impl Log {
         self.0.lock().unwrap().push(seen);
     }
 
+    /// So that nothing is allocated for so many entries.
+    pub fn make_room(&self, entries: usize) {
+        self.0.lock().unwrap().reserve(entries);
+    }
+
     pub fn all(&self) -> Vec<Seen> {
         self.0.lock().unwrap().clone()
     }
@@ -99,6 +105,9 @@ pub struct Watched {
     log: Log,
     answer: Answer,
     reads: usize,
+    writes: usize,
+    /// By number, from 0.
+    pub refused_writes: Range<usize>,
     pub capabilities: Capabilities,
 }
 
@@ -112,11 +121,11 @@ impl Watched {
             log: log.clone(),
             answer: Box::new(answer),
             reads: 0,
+            writes: 0,
+            refused_writes: 0..0,
             capabilities: Capabilities {
-                workspace: [0.16, 0.12, 0.12],
                 max_force: 8.0,
-                max_stiffness: f64::INFINITY,
-                delay_ticks: 0,
+                ..Capabilities::unlimited([0.16, 0.12, 0.12])
             },
         }
     }
@@ -136,12 +145,16 @@ impl Device for Watched {
         self.log.add(Seen::Read(time));
         let read = self.reads;
         self.reads += 1;
-        (self.answer)(read).map(|position| Pose { position })
+        (self.answer)(read).map(Pose::at)
     }
 
     fn write(&mut self, force: Force, dt: f64) -> Result<(), DeviceError> {
         self.log.add(Seen::Write(force.newtons, dt));
-        Ok(())
+        self.writes += 1;
+        match self.refused_writes.contains(&(self.writes - 1)) {
+            true => Err(DeviceError::Timeout("not sent".into())),
+            false => Ok(()),
+        }
     }
 
     fn set_target(&mut self, target: [f64; 3]) {
