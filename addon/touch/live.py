@@ -33,6 +33,8 @@ class Readout:
     """Newtons."""
     ticks: int
     missed_ticks: int
+    active_ticks: int
+    """In which the spring had given the hand more energy than it took."""
     load: float
     """Share of each millisecond that the servo takes, mean."""
     worst_load: float
@@ -75,6 +77,8 @@ class Touch:
     """The Empty; ``None`` where the device needs none."""
     workspace_width: float
     """Of the device, metres."""
+    passivity_control: bool = False
+    """What the session was told last."""
     readout: Readout | None = None
 
 

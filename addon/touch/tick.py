@@ -14,6 +14,7 @@ from proxygraph import SessionError, State, Window
 
 from ..terrain.frame import is_on_map
 from ..terrain.view import redraw
+from .control import keep_control
 from .cursor import SIZE, cursor_object, show_cursor
 from .live import Readout, Touch, live
 from .model import keep_model
@@ -45,6 +46,7 @@ def tick() -> None:
         return
     # The setting calls this at once; undo changes settings without telling them.
     keep_model(touch, scene)
+    keep_control(touch, scene)
     # As many commands may wait as the servo takes at a time: the next tick tells it the same, or better.
     with suppress(SessionError):
         _keep_exaggeration(touch, placement)
@@ -104,6 +106,7 @@ def _readout(touch: Touch, state: State) -> Readout:
         force=math.hypot(*state.force),
         ticks=statistics.ticks,
         missed_ticks=statistics.missed_ticks,
+        active_ticks=statistics.active_ticks,
         load=statistics.mean_load,
         worst_load=statistics.load(0.999),
         late_us=statistics.late_us(0.99),

@@ -79,6 +79,7 @@ class HAPTIC_TERRAIN_PT_touch(bpy.types.Panel):
             layout.prop(context.scene.haptic_terrain, "device")
             layout.prop(context.scene.haptic_terrain, "window_width", text="Width in km (0 = all)")
             layout.prop(context.scene.haptic_terrain, "max_force", text="Max Force in N")
+            layout.prop(context.scene.haptic_terrain, "passivity_control")
             _draw_model(layout, context.scene)
             layout.operator(HAPTIC_TERRAIN_OT_touch_start.bl_idname, icon="PLAY")
             return
@@ -113,6 +114,9 @@ class HAPTIC_TERRAIN_PT_safety(bpy.types.Panel):
         """A sentence for each thing that took the force away, or kept it small."""
         if live.touch is None or live.touch.readout is None or self.layout is None:
             return
+        scene = live.touch.scene.find()
+        if scene is not None:
+            self.layout.prop(scene.haptic_terrain, "passivity_control")
         for warning in live.touch.readout.warnings or ("Nothing held the force back so far.",):
             column = self.layout.column(align=True)
             for line in wrapped(warning, SIDEBAR_LETTERS):
@@ -171,6 +175,7 @@ def servo_lines(readout: Readout) -> list[tuple[str, str]]:
     lines = [
         ("Servo load", f"{readout.load:.1%} of each ms ({readout.worst_load:.1%})"),
         ("Lateness", f"{readout.late_us:,.0f} us (99%)"),
+        ("Active ticks", f"{readout.active_ticks:,}"),
         ("Priority", priority.title()),
     ]
     return [*lines, ("", reason)] if reason else lines

@@ -5,6 +5,7 @@ from __future__ import annotations
 import bpy
 from proxygraph import MODELS, model_descriptions
 
+from ..touch.control import keep_control
 from ..touch.live import live
 from ..touch.model import keep_model
 
@@ -14,6 +15,7 @@ def _switch(settings: HapticTerrainSettings, _context: bpy.types.Context) -> Non
     touched = live.touch.scene.find() if live.touch is not None else None
     if live.touch is not None and touched is not None and touched == settings.id_data:
         keep_model(live.touch, touched)
+        keep_control(live.touch, touched)
 
 
 class HapticTerrainSettings(bpy.types.PropertyGroup):
@@ -38,6 +40,12 @@ class HapticTerrainSettings(bpy.types.PropertyGroup):
         default=8.0,
         min=0.0,
         soft_max=20.0,
+    )
+    passivity_control: bpy.props.BoolProperty(
+        name="Passivity Control",
+        description="Add damping while a trembling device gives the hand more energy than it took",
+        default=False,
+        update=_switch,
     )
     contact_model: bpy.props.EnumProperty(
         name="Contact Model",

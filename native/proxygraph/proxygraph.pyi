@@ -555,6 +555,11 @@ class Session:
 
         Raises ValueError as the constructor does, SessionError when too many commands wait already.
         """
+    def set_passivity_control(self, controls: bool) -> None:
+        """Whether damping is added from the next tick on while ``Statistics.active_ticks`` grows. Off at first.
+
+        Hannaford and Ryu, 2002. Counts on the damping that the device declares by its stiffness.
+        """
     def set_target(self, x: float, y: float, z: float) -> None:
         """Where the simulated hand is pulled (workspace metres); other devices ignore it.
 

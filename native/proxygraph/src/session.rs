@@ -230,6 +230,10 @@ impl Session {
         self.lock(py).set_model(choice.build()).map_err(session_refusal)
     }
 
+    fn set_passivity_control(&self, py: Python<'_>, controls: bool) -> PyResult<()> {
+        self.lock(py).set_passivity_control(controls).map_err(session_refusal)
+    }
+
     fn set_target(&self, py: Python<'_>, x: f64, y: f64, z: f64) -> PyResult<()> {
         self.lock(py).set_target([x, y, z]).map_err(session_refusal)
     }

@@ -54,6 +54,15 @@ pub enum Warning {
         often(.0)
     )]
     NotFinite(u64),
+    /// The passivity observer found the spring active.
+    #[error(
+        "The spring gave the hand more energy than it took for {seconds:.2} s: hold the handle more \
+         firmly, turn passivity control on, or lower the stiffness."
+    )]
+    Active {
+        /// s.
+        seconds: f64,
+    },
     /// The force was cut.
     #[error("The force was cut to its limit of {max_force:.1} N for {seconds:.1} s: press less.")]
     Clamped {
@@ -104,6 +113,7 @@ impl Warning {
                 u64::from(limits.stiffness < limits.asked_stiffness),
                 Warning::Stiffness { asked: limits.asked_stiffness, given: limits.stiffness },
             ),
+            (totals.active_ticks, Warning::Active { seconds: seconds(totals.active_ticks) }),
             (totals.dropped, Warning::Dropped(totals.dropped)),
             (
                 trips.clamped,
