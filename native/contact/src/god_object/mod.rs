@@ -15,9 +15,11 @@
 //! * A ray from a proxy on the surface starts from the feature that it rests on, never from an
 //!   epsilon; a floating proxy is in space above.
 //! * Planes that are singular together fix no more than the newest of them (parallel ones are the
-//!   same constraint): older ones give way to it.
+//!   same constraint): older ones give way to it. In a cleft so steep that its sides are parallel to
+//!   rounding they would give way to each other for ever: a proxy that is stopped again and again in
+//!   one place, and comes no nearer, stays there.
 //! * The border of the map is a wall for a proxy on the map, and one of the three constraints. Over
-//!   a hole no plane holds: what slides out over it is out of contact.
+//!   a hole no plane holds: what slides out over it is out of contact, and goes on freely.
 //! * Of a floating proxy [`Feature`] tells how many planes hold it: a face one, an edge two, a vertex
 //!   three. It is not on what the plane belongs to any more, but it is not free.
 
@@ -32,6 +34,10 @@ use crate::weights::Weights;
 use constraints::{Constraints, Wall};
 use surface::ray::{RayEnd, Side, Start, cast};
 use surface::{Grid, GridPoint, Heightfield, Metric, Sample, on_heightfield};
+
+/// Stops in one place. What can stop a proxy there is six triangles around a vertex and, in a corner
+/// of the map, two walls: one that is stopped more often goes in circles.
+const MOST_STOPS: u32 = 8;
 
 /// The god-object without constraint release.
 pub struct GodObject {
@@ -56,6 +62,8 @@ struct Search<'a, S> {
 enum Move {
     /// A triangle or a wall stopped it: there is a constraint more.
     Stopped,
+    /// It slid out over a hole, where no constraint is left.
+    Released,
     /// The update ends here.
     Ended,
 }
@@ -70,7 +78,8 @@ impl GodObject {
 
     fn minimise<S: Sample>(&mut self, search: &Search<S>, counters: &mut Counters) -> Feature {
         let mut constraints = Constraints::none();
-        while constraints.count < 3 {
+        let mut stops = 0;
+        while constraints.count < 3 && stops <= MOST_STOPS {
             if counters.steps() >= self.step_budget {
                 counters.steps_left = cells_between(&self.proxy.position, &search.target);
                 break;
@@ -82,9 +91,13 @@ impl GodObject {
                     break;
                 }
             }
-            if let Move::Ended = self.move_toward(search, goal, &mut constraints, counters) {
-                break;
+            let before = self.proxy.position;
+            match self.move_toward(search, goal, &mut constraints, counters) {
+                Move::Ended => break,
+                Move::Released => constraints = Constraints::none(),
+                Move::Stopped => {}
             }
+            stops = if search.is_nearer(&self.proxy.position, &before) { 0 } else { stops + 1 };
         }
         constraints.feature()
     }
@@ -127,6 +140,10 @@ impl GodObject {
             RayEnd::OutOfSteps(position, side) => {
                 self.proxy = Proxy { position, place: Place::Space(side) };
                 counters.steps_left = cells_between(&position, &end);
+                // Over a hole, or under the ground behind it, it is held no more.
+                if side != Side::Above {
+                    *constraints = Constraints::none();
+                }
                 Move::Ended
             }
             RayEnd::Clear(side) if constraints.count == 0 => {
@@ -140,11 +157,9 @@ impl GodObject {
                 constraints.add_wall(&search.scale, &wall);
                 Move::Stopped
             }
-            RayEnd::Clear(_) => {
-                // Out over a hole, where no plane holds.
-                self.proxy = Proxy::in_space(search.goal);
-                *constraints = Constraints::none();
-                Move::Ended
+            RayEnd::Clear(side) => {
+                self.proxy = Proxy { position: end, place: Place::Space(side) };
+                Move::Released
             }
         }
     }
