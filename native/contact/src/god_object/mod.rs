@@ -8,7 +8,8 @@
 //! *floats* where the surface falls away from the plane, and *sticks* where it rises toward it (paper
 //! figure 4): on ground of many small triangles the hand feels a viscosity that is not there. Both are
 //! kept on purpose, to be felt and measured; [`GodObjectRelease`](crate::GodObjectRelease) has
-//! neither. The next update begins with no constraints, wherever the proxy is.
+//! neither. The next update begins with no constraints, wherever the proxy is, unless it finishes one
+//! that the step budget cut short.
 //!
 //! Where the paper leaves something open:
 //!
@@ -45,6 +46,23 @@ pub struct GodObject {
     proxy: Proxy,
     /// What held it last.
     feature: Feature,
+    unfinished: Option<Unfinished>,
+}
+
+/// An update whose budget ended before it did: the next one with the same goal goes on with it.
+#[derive(Clone, Copy)]
+struct Unfinished {
+    goal: GridPoint,
+    metric: Metric,
+    progress: Progress,
+}
+
+/// How far an update is.
+#[derive(Clone, Copy)]
+struct Progress {
+    constraints: Constraints,
+    /// Since the proxy last came nearer.
+    stops: u32,
 }
 
 /// What stays the same during one update.
@@ -73,12 +91,17 @@ impl GodObject {
     /// least 2): projections, and cells of collision tests.
     pub fn new(step_budget: u32) -> Self {
         let proxy = Proxy::in_space(GridPoint::new(0.0, 0.0, 0.0));
-        Self { step_budget: step_budget.max(2), proxy, feature: Feature::Free }
+        Self { step_budget: step_budget.max(2), proxy, feature: Feature::Free, unfinished: None }
     }
 
-    fn minimise<S: Sample>(&mut self, search: &Search<S>, counters: &mut Counters) -> Feature {
-        let mut constraints = Constraints::none();
-        let mut stops = 0;
+    /// Goes on from `progress`, and gives what is reached of it.
+    fn minimise<S: Sample>(
+        &mut self,
+        search: &Search<S>,
+        progress: Progress,
+        counters: &mut Counters,
+    ) -> Progress {
+        let Progress { mut constraints, mut stops } = progress;
         while constraints.count < 3 && stops <= MOST_STOPS {
             if counters.steps() >= self.step_budget {
                 counters.steps_left = cells_between(&self.proxy.position, &search.target);
@@ -99,7 +122,15 @@ impl GodObject {
             }
             stops = if search.is_nearer(&self.proxy.position, &before) { 0 } else { stops + 1 };
         }
-        constraints.feature()
+        Progress { constraints, stops }
+    }
+
+    /// Where to go on: with what held the proxy when the budget ended, or with nothing.
+    fn progress(&self, goal: &GridPoint, metric: &Metric) -> Progress {
+        match self.unfinished {
+            Some(last) if last.goal == *goal && last.metric == *metric => last.progress,
+            _ => Progress { constraints: Constraints::none(), stops: 0 },
+        }
     }
 
     /// Moves the proxy straight toward its constrained goal, until it meets a triangle or a wall.
@@ -177,12 +208,14 @@ impl ContactModel for GodObject {
     fn take_over(&mut self, proxy: Proxy) {
         self.proxy = proxy;
         self.feature = proxy.place.feature();
+        self.unfinished = None;
     }
 
     fn update(&mut self, grid: &Grid, metric: &Metric, goal: &GridPoint) -> Contact {
         let mut counters = Counters::default();
         if goal.is_finite() && metric.is_valid() {
-            self.feature = on_heightfield!(grid, field => {
+            let progress = self.progress(goal, metric);
+            let progress = on_heightfield!(grid, field => {
                 let target = target(&field, &self.proxy.position, goal);
                 let search = Search {
                     field: &field,
@@ -191,8 +224,12 @@ impl ContactModel for GodObject {
                     goal: *goal,
                     target,
                 };
-                self.minimise(&search, &mut counters)
+                self.minimise(&search, progress, &mut counters)
             });
+            self.feature = progress.constraints.feature();
+            let is_unfinished = counters.steps_left > 0;
+            self.unfinished =
+                is_unfinished.then_some(Unfinished { goal: *goal, metric: *metric, progress });
         }
         Contact::new(self.proxy.position, self.feature, goal, metric, counters)
     }
