@@ -145,3 +145,34 @@ fn coming_in_over_a_border_from_above_it_stays_above() {
         }
     }
 }
+
+/// Where it came out of the ground is seen, if not in the same update then in the next: from there it
+/// touches.
+#[test]
+fn having_come_out_of_the_ground_at_the_end_of_its_budget_it_touches() {
+    let ground = white_noise(12, 1.0, 5);
+    let top = ground.range().unwrap().maximum;
+    for budget in 100..220 {
+        let mut model = VirtualProxy::new(RADIUS, budget);
+        // In from the side, under the ground: along the way the budget ends anywhere.
+        model.place(GridPoint::new(-6.2, 5.3, -9.0));
+        let over = GridPoint::new(4.7, 5.6, top + 0.1);
+        while model.update(&ground, &SQUARE, &over).proxy != over {}
+        let under = GridPoint { elevation: -2.0, ..over };
+        let (_, contact) = updates_until_rest(&mut model, &ground, &under);
+        assert_ne!(contact.feature, contact::Feature::Free, "{budget}: {contact:?}");
+    }
+}
+
+/// Beside the map nothing is around, and no height too far to be flown to in so many cells.
+#[test]
+fn beside_the_map_it_flies_as_far_as_its_budget_reaches_whatever_the_height() {
+    let ground = white_noise(4, 1.0, 7);
+    for power in [0, 6, 9, 12, 15] {
+        let mut model = VirtualProxy::new(RADIUS, 1024);
+        model.place(GridPoint::new(-500.5, 1.2, 10f64.powi(power)));
+        let goal = GridPoint::new(-100.5, 1.2, -10f64.powi(power));
+        let (updates, contact) = updates_until_rest(&mut model, &ground, &goal);
+        assert!(contact.proxy == goal && updates < 12, "{power}: {updates} {contact:?}");
+    }
+}

@@ -168,8 +168,10 @@ impl VirtualProxy {
         self.centre = search.goal;
         self.feature = Feature::Free;
         self.state = State::Inside;
-        if let Some(survey) = self.survey(search, counters) {
-            self.come_out(search, &survey);
+        match self.survey(search, counters) {
+            Some(survey) => self.come_out(search, &survey),
+            // It may have come out here: the next update looks before it goes on.
+            None => self.state = State::Arriving(Place::Space(Side::Unknown)),
         }
     }
 

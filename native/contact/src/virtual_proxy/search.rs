@@ -69,7 +69,10 @@ impl<S: Sample> Search<'_, S> {
         if !distance.is_finite() {
             return None;
         }
-        let share = FARTHEST_PULL * survey.extent / distance;
+        // Where nothing is around, nothing can be rounded into: it flies all the way.
+        let is_alone = survey.distance == f64::INFINITY;
+        let reach = if is_alone { f64::INFINITY } else { FARTHEST_PULL * survey.extent };
+        let share = reach / distance;
         let pull = if share < 1.0 { way.map(|part| share * part) } else { way };
         let mut step = |between| {
             let planes = surroundings.planes(between, &walls);
