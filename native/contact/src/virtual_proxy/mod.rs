@@ -25,7 +25,8 @@
 //!   shortest way, or straight up where that leads nowhere.
 //! * Over a hole only triangles that the centre is above count: the rim carries a sphere that does not
 //!   fit, and what has fallen in comes out only upwards. The border of the map is a wall for a centre
-//!   on the map.
+//!   on the map. One beside the map may touch its rim from the side, and come in under the ground: only
+//!   what comes in above it is held (it is so for a point, which does not touch there at all).
 //! * All cells in the sphere's shadow, and one more on each side, are looked at in each step of at
 //!   most one cell: the cost grows with the square of the radius in cells. Even a small sphere costs
 //!   about twenty vertices of the proxy graph for each cell that it crosses. A sphere
