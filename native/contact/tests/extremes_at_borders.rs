@@ -114,11 +114,6 @@ proptest! {
             })
             .collect();
         for model in all_models(&SQUARE) {
-            // Known fault: on ground many times as high as its cells are wide, a sphere that comes in
-            // from outside has been seen to sink at a border.
-            if !is_point(&*model.build(BUDGET)) && relief > 1.0 {
-                continue;
-            }
             let mut trial = Trial::over_the_middle(&grid, SQUARE, &model, BUDGET);
             for goal in &goals {
                 trial.update(goal).unwrap();

@@ -8,16 +8,19 @@
 //! *floats* where the surface falls away from the plane, and *sticks* where it rises toward it (paper
 //! figure 4): on ground of many small triangles the hand feels a viscosity that is not there. Both are
 //! kept on purpose, to be felt and measured; [`GodObjectRelease`](crate::GodObjectRelease) has
-//! neither. The next update begins with no constraints, wherever the proxy is.
+//! neither. The next update begins with no constraints, wherever the proxy is, unless it finishes one
+//! that the step budget cut short.
 //!
 //! Where the paper leaves something open:
 //!
 //! * A ray from a proxy on the surface starts from the feature that it rests on, never from an
 //!   epsilon; a floating proxy is in space above.
 //! * Planes that are singular together fix no more than the newest of them (parallel ones are the
-//!   same constraint): older ones give way to it.
+//!   same constraint): older ones give way to it. In a cleft so steep that its sides are parallel to
+//!   rounding they would give way to each other for ever: a proxy that is stopped again and again in
+//!   one place, and comes no nearer, stays there.
 //! * The border of the map is a wall for a proxy on the map, and one of the three constraints. Over
-//!   a hole no plane holds: what slides out over it is out of contact.
+//!   a hole no plane holds: what slides out over it is out of contact, and goes on freely.
 //! * Of a floating proxy [`Feature`] tells how many planes hold it: a face one, an edge two, a vertex
 //!   three. It is not on what the plane belongs to any more, but it is not free.
 
@@ -33,12 +36,33 @@ use constraints::{Constraints, Wall};
 use surface::ray::{RayEnd, Side, Start, cast};
 use surface::{Grid, GridPoint, Heightfield, Metric, Sample, on_heightfield};
 
+/// Stops in one place. What can stop a proxy there is six triangles around a vertex and, in a corner
+/// of the map, two walls: one that is stopped more often goes in circles.
+const MOST_STOPS: u32 = 8;
+
 /// The god-object without constraint release.
 pub struct GodObject {
     step_budget: u32,
     proxy: Proxy,
     /// What held it last.
     feature: Feature,
+    unfinished: Option<Unfinished>,
+}
+
+/// An update whose budget ended before it did: the next one with the same goal goes on with it.
+#[derive(Clone, Copy)]
+struct Unfinished {
+    goal: GridPoint,
+    metric: Metric,
+    progress: Progress,
+}
+
+/// How far an update is.
+#[derive(Clone, Copy)]
+struct Progress {
+    constraints: Constraints,
+    /// Since the proxy last came nearer.
+    stops: u32,
 }
 
 /// What stays the same during one update.
@@ -56,6 +80,8 @@ struct Search<'a, S> {
 enum Move {
     /// A triangle or a wall stopped it: there is a constraint more.
     Stopped,
+    /// It slid out over a hole, where no constraint is left.
+    Released,
     /// The update ends here.
     Ended,
 }
@@ -65,12 +91,18 @@ impl GodObject {
     /// least 2): projections, and cells of collision tests.
     pub fn new(step_budget: u32) -> Self {
         let proxy = Proxy::in_space(GridPoint::new(0.0, 0.0, 0.0));
-        Self { step_budget: step_budget.max(2), proxy, feature: Feature::Free }
+        Self { step_budget: step_budget.max(2), proxy, feature: Feature::Free, unfinished: None }
     }
 
-    fn minimise<S: Sample>(&mut self, search: &Search<S>, counters: &mut Counters) -> Feature {
-        let mut constraints = Constraints::none();
-        while constraints.count < 3 {
+    /// Goes on from `progress`, and gives what is reached of it.
+    fn minimise<S: Sample>(
+        &mut self,
+        search: &Search<S>,
+        progress: Progress,
+        counters: &mut Counters,
+    ) -> Progress {
+        let Progress { mut constraints, mut stops } = progress;
+        while constraints.count < 3 && stops <= MOST_STOPS {
             if counters.steps() >= self.step_budget {
                 counters.steps_left = cells_between(&self.proxy.position, &search.target);
                 break;
@@ -82,11 +114,23 @@ impl GodObject {
                     break;
                 }
             }
-            if let Move::Ended = self.move_toward(search, goal, &mut constraints, counters) {
-                break;
+            let before = self.proxy.position;
+            match self.move_toward(search, goal, &mut constraints, counters) {
+                Move::Ended => break,
+                Move::Released => constraints = Constraints::none(),
+                Move::Stopped => {}
             }
+            stops = if search.is_nearer(&self.proxy.position, &before) { 0 } else { stops + 1 };
         }
-        constraints.feature()
+        Progress { constraints, stops }
+    }
+
+    /// Where to go on: with what held the proxy when the budget ended, or with nothing.
+    fn progress(&self, goal: &GridPoint, metric: &Metric) -> Progress {
+        match self.unfinished {
+            Some(last) if last.goal == *goal && last.metric == *metric => last.progress,
+            _ => Progress { constraints: Constraints::none(), stops: 0 },
+        }
     }
 
     /// Moves the proxy straight toward its constrained goal, until it meets a triangle or a wall.
@@ -127,6 +171,10 @@ impl GodObject {
             RayEnd::OutOfSteps(position, side) => {
                 self.proxy = Proxy { position, place: Place::Space(side) };
                 counters.steps_left = cells_between(&position, &end);
+                // Over a hole, or under the ground behind it, it is held no more.
+                if side != Side::Above {
+                    *constraints = Constraints::none();
+                }
                 Move::Ended
             }
             RayEnd::Clear(side) if constraints.count == 0 => {
@@ -140,11 +188,9 @@ impl GodObject {
                 constraints.add_wall(&search.scale, &wall);
                 Move::Stopped
             }
-            RayEnd::Clear(_) => {
-                // Out over a hole, where no plane holds.
-                self.proxy = Proxy::in_space(search.goal);
-                *constraints = Constraints::none();
-                Move::Ended
+            RayEnd::Clear(side) => {
+                self.proxy = Proxy { position: end, place: Place::Space(side) };
+                Move::Released
             }
         }
     }
@@ -162,12 +208,14 @@ impl ContactModel for GodObject {
     fn take_over(&mut self, proxy: Proxy) {
         self.proxy = proxy;
         self.feature = proxy.place.feature();
+        self.unfinished = None;
     }
 
     fn update(&mut self, grid: &Grid, metric: &Metric, goal: &GridPoint) -> Contact {
         let mut counters = Counters::default();
         if goal.is_finite() && metric.is_valid() {
-            self.feature = on_heightfield!(grid, field => {
+            let progress = self.progress(goal, metric);
+            let progress = on_heightfield!(grid, field => {
                 let target = target(&field, &self.proxy.position, goal);
                 let search = Search {
                     field: &field,
@@ -176,8 +224,12 @@ impl ContactModel for GodObject {
                     goal: *goal,
                     target,
                 };
-                self.minimise(&search, &mut counters)
+                self.minimise(&search, progress, &mut counters)
             });
+            self.feature = progress.constraints.feature();
+            let is_unfinished = counters.steps_left > 0;
+            self.unfinished =
+                is_unfinished.then_some(Unfinished { goal: *goal, metric: *metric, progress });
         }
         Contact::new(self.proxy.position, self.feature, goal, metric, counters)
     }

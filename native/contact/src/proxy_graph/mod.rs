@@ -15,7 +15,8 @@
 //!   ray hits.
 //! * The border of the map is a wall for a proxy on the map: it slides along it and is not lost
 //!   beyond it. A hole (void samples) can be fallen into, and is left again only upwards.
-//! * A step budget bounds every update; what is left is walked in the next ones.
+//! * A step budget bounds every update; what is left is walked in the next ones, which remember for
+//!   as long as the goal stays what was visited: a circle may be longer than a budget.
 
 mod ring;
 mod visited;
@@ -35,9 +36,11 @@ pub struct ProxyGraph {
     step_budget: u32,
     position: GridPoint,
     place: Place,
-    /// Vertices from which this update went into free space.
+    /// Where the update before was to lead, if its budget did not reach so far.
+    unfinished: Option<GridPoint>,
+    /// Vertices from which updates toward this goal went into free space.
     left: VisitedVertices,
-    /// Vertices from which this update stepped over a far edge (paper 3.3).
+    /// Vertices from which they stepped over a far edge (paper 3.3).
     far_steps: VisitedVertices,
 }
 
@@ -73,14 +76,14 @@ impl ProxyGraph {
             step_budget: step_budget.max(1),
             position: GridPoint::new(0.0, 0.0, 0.0),
             place: Place::Space(Side::Unknown),
+            unfinished: None,
             left: VisitedVertices::new(),
             far_steps: VisitedVertices::new(),
         }
     }
 
     fn minimise<S: Sample>(&mut self, search: &Search<S>, counters: &mut Counters) {
-        self.left.clear();
-        self.far_steps.clear();
+        self.recall(&search.goal);
         loop {
             let triangle = match self.free_space(search, counters) {
                 FreeSpace::Blocked(triangle) => triangle,
@@ -90,6 +93,17 @@ impl ProxyGraph {
             match self.constrained(search, nearest, counters) {
                 Constrained::Unobstructed => {}
                 Constrained::Ended => return,
+            }
+        }
+    }
+
+    /// Forgets which vertices were visited, unless this update goes on with one that was not finished:
+    /// a circle may be longer than a budget. A full list is from a long way.
+    fn recall(&mut self, goal: &GridPoint) {
+        let goes_on = self.unfinished.take() == Some(*goal);
+        for visited in [&mut self.left, &mut self.far_steps] {
+            if !goes_on || visited.is_full() {
+                visited.clear();
             }
         }
     }
@@ -248,6 +262,7 @@ impl ContactModel for ProxyGraph {
 
     fn take_over(&mut self, proxy: Proxy) {
         (self.position, self.place) = (proxy.position, proxy.place);
+        self.unfinished = None;
     }
 
     fn update(&mut self, grid: &Grid, metric: &Metric, goal: &GridPoint) -> Contact {
@@ -257,6 +272,7 @@ impl ContactModel for ProxyGraph {
             on_heightfield!(grid, field => {
                 self.minimise(&Search { field: &field, weights, goal: *goal }, &mut counters)
             });
+            self.unfinished = (counters.steps_left > 0).then_some(*goal);
         }
         Contact::new(self.position, self.place.feature(), goal, metric, counters)
     }

@@ -1,4 +1,4 @@
-//! A short list of vertices, kept within one update.
+//! A short list of vertices, kept within one update, or over those that it takes to finish one.
 
 /// How many vertices the list holds. On Mars at twenty times its relief an update met at most a
 /// handful (paper 4.4: far-edge crossings in 3.5% of updates); the list exists to end the rest.
@@ -18,10 +18,14 @@ impl VisitedVertices {
         self.vertices.clear();
     }
 
+    pub(super) fn is_full(&self) -> bool {
+        self.vertices.len() >= CAPACITY
+    }
+
     /// Adds a vertex; false where it was there already, or where the list is full and a circle has
     /// to be assumed.
     pub(super) fn insert(&mut self, column: i64, row: i64) -> bool {
-        let is_new = self.vertices.len() < CAPACITY && !self.vertices.contains(&(column, row));
+        let is_new = !self.is_full() && !self.vertices.contains(&(column, row));
         if is_new {
             self.vertices.push((column, row));
         }

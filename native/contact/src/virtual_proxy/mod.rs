@@ -17,33 +17,38 @@
 //!   it is. The centre may be nearer to the surface than the radius by a ten-millionth of it and
 //!   the rounding of its coordinates, no more; a step that would be is not taken.
 //! * A move ends where the squared distance to the goal falls by less than 1e-12 of the squared
-//!   radius: from there a still hand gives the same proxy bit for bit.
+//!   radius: from there a still hand gives the same proxy bit for bit. Tangent planes alone would
+//!   bring it there too slowly where the goal is close to an edge or a corner: see `stride.rs`.
 //! * As for a point, the centre decides whether a sphere that is put somewhere is inside the ground;
 //!   there nothing touches until the centre has come out. Outside, a sphere that reaches into the
 //!   ground (after a switch of model or scale, or where it was put) moves out of it along the
 //!   shortest way, or straight up where that leads nowhere.
 //! * Over a hole only triangles that the centre is above count: the rim carries a sphere that does not
 //!   fit, and what has fallen in comes out only upwards. The border of the map is a wall for a centre
-//!   on the map.
+//!   on the map. One beside the map may touch its rim from the side, and come in under the ground: only
+//!   what comes in above it is held (it is so for a point, which does not touch there at all).
 //! * All cells in the sphere's shadow, and one more on each side, are looked at in each step of at
 //!   most one cell: the cost grows with the square of the radius in cells. Even a small sphere costs
 //!   about twenty vertices of the proxy graph for each cell that it crosses. A sphere
 //!   whose shadow has more cells than a quarter of the step budget is as large as fits
 //!   ([`VirtualProxy::radius`] tells how large).
 
+mod advance;
 mod nearest;
 mod polyhedron;
 mod search;
+mod stride;
 mod surroundings;
 
 use crate::contact::{Contact, ContactModel, Counters, Feature};
 use crate::planes::Scale;
 use crate::proxy::{Place, Proxy};
-use crate::way::{cells_between, target};
+use crate::way::target;
 use crate::weights::Weights;
 use polyhedron::closest;
-use search::{Search, Step};
-use surface::ray::{RayEnd, Side, Start, cast};
+use search::Search;
+use stride::Stride;
+use surface::ray::Side;
 use surface::{Grid, GridPoint, Metric, Sample, on_heightfield};
 use surroundings::{Between, Shadow, Surroundings, Survey};
 
@@ -62,6 +67,9 @@ const FEWEST_STEPS: u32 = 100;
 /// Cells under a step of at most a column and a row, and one to spare.
 const CELLS_OF_A_STEP: u32 = 4;
 
+/// Cells under what is looked along after one look around: a step, and the whole way that it begins.
+const CELLS_AHEAD: u32 = 2 * CELLS_OF_A_STEP;
+
 /// Looks around on the way out of the ground, before the sphere is lifted straight up.
 const SURVEYS_ON_THE_WAY_OUT: u32 = 16;
 
@@ -73,6 +81,7 @@ pub struct VirtualProxy {
     state: State,
     /// What it touches.
     feature: Feature,
+    stride: Stride,
     surroundings: Surroundings,
 }
 
@@ -102,6 +111,7 @@ impl VirtualProxy {
             centre: GridPoint::new(0.0, 0.0, 0.0),
             state: State::Arriving(Place::Space(Side::Unknown)),
             feature: Feature::Free,
+            stride: Stride::new(),
             surroundings: Surroundings::with_room_for(most_cells(step_budget)),
         }
     }
@@ -146,69 +156,6 @@ impl VirtualProxy {
         }
     }
 
-    /// Moves the sphere toward the goal, along what it touches.
-    fn advance<S: Sample>(&mut self, search: &Search<S>, counters: &mut Counters) {
-        let mut settled = None;
-        loop {
-            let Some(survey) = self.survey(search, counters) else {
-                // What has not been looked at is not known to be free.
-                self.centre = settled.unwrap_or(self.centre);
-                counters.steps_left = cells_between(&self.centre, &search.target);
-                return;
-            };
-            if !survey.is_clear(&search.sphere_at(&self.centre)) {
-                let came_over_ground = self.state == State::Outside { is_over_ground: true };
-                match settled {
-                    None if !survey.is_behind => {
-                        self.move_out(search, survey, counters);
-                        settled = Some(self.centre);
-                        continue;
-                    }
-                    Some(settled) if came_over_ground => {
-                        self.centre = settled;
-                        return;
-                    }
-                    // Fallen into a hole, and under the ground beside it.
-                    _ => return self.follow_inside(search, counters),
-                }
-            }
-            settled = Some(self.centre);
-            self.state = State::Outside { is_over_ground: survey.height.is_some() };
-            self.feature = survey.touched(&search.sphere_at(&self.centre));
-            let step = search.step(&mut self.surroundings, &self.centre, &survey);
-            let open = step.and_then(|step| self.look_along(search, step, counters));
-            match open {
-                Some((Step::ToGoal, side)) => return self.reach_goal(search, side),
-                Some((Step::To(centre), _)) => self.centre = centre,
-                None => {
-                    self.feature = survey.feature;
-                    return;
-                }
-            }
-        }
-    }
-
-    /// A step, and the side of the surface that the centre is on after it; `None` where the centre
-    /// itself would go through the surface: rounding hid it, as it may where heights dwarf cells.
-    fn look_along<S: Sample>(
-        &self,
-        search: &Search<S>,
-        step: Step,
-        counters: &mut Counters,
-    ) -> Option<(Step, Side)> {
-        let to = match step {
-            Step::ToGoal => search.goal,
-            Step::To(centre) => centre,
-        };
-        let start = Start::Space(self.side());
-        let ray = cast(search.field, &self.centre, start, &to, CELLS_OF_A_STEP);
-        counters.cells += ray.cells;
-        match ray.end {
-            RayEnd::Hit(..) => None,
-            RayEnd::Clear(side) | RayEnd::OutOfSteps(_, side) => Some((step, side)),
-        }
-    }
-
     /// Of the surface, as far as the state tells.
     fn side(&self) -> Side {
         match self.state {
@@ -217,22 +164,15 @@ impl VirtualProxy {
         }
     }
 
-    fn reach_goal<S: Sample>(&mut self, search: &Search<S>, side: Side) {
-        self.centre = search.goal;
-        self.feature = Feature::Free;
-        self.state = match side {
-            Side::Below => State::Inside,
-            _ => State::Outside { is_over_ground: side == Side::Above },
-        };
-    }
-
     /// Follows the goal where nothing holds the sphere, until it has come out.
     fn follow_inside<S: Sample>(&mut self, search: &Search<S>, counters: &mut Counters) {
         self.centre = search.goal;
         self.feature = Feature::Free;
         self.state = State::Inside;
-        if let Some(survey) = self.survey(search, counters) {
-            self.come_out(search, &survey);
+        match self.survey(search, counters) {
+            Some(survey) => self.come_out(search, &survey),
+            // It may have come out here: the next update looks before it goes on.
+            None => self.state = State::Arriving(Place::Space(Side::Unknown)),
         }
     }
 
@@ -270,7 +210,7 @@ impl VirtualProxy {
     fn survey<S: Sample>(&mut self, search: &Search<S>, counters: &mut Counters) -> Option<Survey> {
         let Search { field, scale, radius, .. } = search;
         let shadow = Shadow::new(&self.centre, *radius, scale);
-        if counters.steps() + shadow.cells() + CELLS_OF_A_STEP > self.step_budget {
+        if counters.steps() + shadow.cells() + CELLS_AHEAD > self.step_budget {
             return None;
         }
         counters.cells += shadow.cells();
@@ -297,6 +237,7 @@ impl ContactModel for VirtualProxy {
         self.centre = proxy.position;
         self.state = State::Arriving(proxy.place);
         self.feature = proxy.place.feature();
+        self.stride = Stride::new();
     }
 
     fn update(&mut self, grid: &Grid, metric: &Metric, goal: &GridPoint) -> Contact {
@@ -316,5 +257,5 @@ impl ContactModel for VirtualProxy {
 
 /// Cells that one look around may take.
 fn most_cells(step_budget: u32) -> u32 {
-    (step_budget / SURVEYS - CELLS_OF_A_STEP).min(MOST_CELLS)
+    (step_budget / SURVEYS - CELLS_AHEAD).min(MOST_CELLS)
 }

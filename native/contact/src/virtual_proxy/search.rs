@@ -31,11 +31,20 @@ pub(super) struct Search<'a, S> {
 }
 
 /// What a look around leads to.
+#[derive(Clone, Copy)]
 pub(super) enum Step {
     /// To the goal, and nothing is touched.
     ToGoal,
-    /// To this place.
-    To(GridPoint),
+    /// As far as these planes, and what is known of the ground, allow.
+    To(Way, Between),
+}
+
+/// A step from one place to another.
+#[derive(Clone, Copy)]
+pub(super) struct Way {
+    pub(super) to: GridPoint,
+    /// Cell widths.
+    pub(super) vector: [f64; 3],
 }
 
 impl<S: Sample> Search<'_, S> {
@@ -60,35 +69,64 @@ impl<S: Sample> Search<'_, S> {
         if !distance.is_finite() {
             return None;
         }
-        let share = FARTHEST_PULL * survey.extent / distance;
+        // Where nothing is around, nothing can be rounded into: it flies all the way.
+        let is_alone = survey.distance == f64::INFINITY;
+        let reach = if is_alone { f64::INFINITY } else { FARTHEST_PULL * survey.extent };
+        let share = reach / distance;
         let pull = if share < 1.0 { way.map(|part| share * part) } else { way };
-        let mut step =
-            |between| self.step_between(surroundings.planes(between, &walls), centre, pull);
+        let mut step = |between| {
+            let planes = surroundings.planes(between, &walls);
+            self.step_between(planes, between, centre, pull)
+        };
         match step(Between::Glide).or_else(|| step(Between::Shortest))? {
             // The goal was pulled nearer: it is not there yet.
-            Step::ToGoal if share < 1.0 => Some(Step::To(self.moved(centre, self.limited(pull)))),
+            Step::ToGoal if share < 1.0 => Some(Step::To(self.way(centre, pull), Between::Glide)),
             step => Some(step),
         }
     }
 
     /// The step to the place closest to the goal, which is `pull` away, on the free side of all planes.
-    fn step_between(&self, planes: &[Plane], centre: &GridPoint, pull: [f64; 3]) -> Option<Step> {
+    fn step_between(
+        &self,
+        planes: &[Plane],
+        between: Between,
+        centre: &GridPoint,
+        pull: [f64; 3],
+    ) -> Option<Step> {
         let (step, is_held) = closest(pull, planes)?;
-        let limited = self.limited(step);
-        if !is_held && limited == step {
+        let way = self.way(centre, step);
+        if !is_held && way.vector == step {
             return Some(Step::ToGoal);
         }
-        let to = self.moved(centre, limited);
-        let gain = dot(limited, plus(plus(pull, 1.0, pull), -1.0, limited));
+        let gain = dot(way.vector, plus(plus(pull, 1.0, pull), -1.0, way.vector));
         // False for NaN too.
         let comes_nearer = gain > LEAST_GAIN * self.radius * self.radius
             // As far as the coordinates tell: at a sharp corner rounding may promise more.
-            && self.distance(&to).is_less_than(&self.distance(centre));
-        comes_nearer.then_some(Step::To(to))
+            && self.is_nearer(&way.to, centre);
+        comes_nearer.then_some(Step::To(way, between))
     }
 
-    fn distance(&self, centre: &GridPoint) -> Distance {
-        Distance::new(centre, &self.target, &self.weights)
+    /// The way toward `aim`, as far as it is free; it may lead away from the goal.
+    pub(super) fn way_toward(
+        &self,
+        surroundings: &mut Surroundings,
+        between: Between,
+        centre: &GridPoint,
+        aim: [f64; 3],
+    ) -> Option<Way> {
+        let (step, _) = closest(aim, surroundings.planes(between, &self.walls(centre)))?;
+        Some(self.way(centre, step))
+    }
+
+    fn way(&self, centre: &GridPoint, step: [f64; 3]) -> Way {
+        let vector = self.limited(step);
+        Way { to: self.moved(centre, vector), vector }
+    }
+
+    /// Whether one place is nearer to the target than another, by more than rounding.
+    pub(super) fn is_nearer(&self, place: &GridPoint, other: &GridPoint) -> bool {
+        let distance = |centre| Distance::new(centre, &self.target, &self.weights);
+        distance(place).is_less_than(&distance(other))
     }
 
     /// A step, as far as was looked: a column and a row.

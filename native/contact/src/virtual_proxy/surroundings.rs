@@ -189,7 +189,7 @@ impl Surroundings {
         self.read_heights(field, scale, centre, shadow);
         self.shields.clear();
         self.obstacles.clear();
-        let height = (centre.elevation - field.surface_elevation(centre)) * scale.up;
+        let height = (centre.elevation - ground_under(field, centre)) * scale.up;
         let survey = Survey {
             distance: f64::INFINITY,
             feature: Feature::Free,
@@ -227,6 +227,29 @@ impl Surroundings {
         let Self { shields, obstacles, .. } = self;
         obstacles.retain(|obstacle| !is_covered(shields, &obstacle.corners, sphere));
     }
+}
+
+/// Elevation of the surface under a centre, of the rim of a hole as well; NaN over a hole and off the
+/// map.
+fn ground_under<S: Sample>(field: &Heightfield<S>, centre: &GridPoint) -> f64 {
+    // A place on the line between two cells belongs to both, and one of them may be void.
+    let cells = |cell: i64, part: f64| {
+        let beyond = match part {
+            0.0 => (cell - 1, 1.0),
+            1.0 => (cell + 1, 0.0),
+            _ => (cell, part),
+        };
+        [(cell, part), beyond]
+    };
+    for (column, u) in cells(centre.column, centre.u) {
+        for (row, v) in cells(centre.row, centre.v) {
+            let elevation = field.surface_elevation(&GridPoint { column, row, u, v, ..*centre });
+            if !elevation.is_nan() {
+                return elevation;
+            }
+        }
+    }
+    f64::NAN
 }
 
 /// Whether a triangle lies wholly behind the plane of one that touches: what keeps the sphere off
