@@ -16,6 +16,7 @@ pub(crate) fn target<S: Sample>(
 
 /// For a proxy on the surface: the triangle that the way to `target` leads over, and whether that
 /// triangle blocks it (paper 3.5: only one can). `None` in space.
+#[inline(always)]
 pub(crate) fn ahead<S: Sample>(
     field: &Heightfield<S>,
     proxy: &Proxy,

@@ -200,18 +200,16 @@ impl<'grid, S: Sample> Heightfield<'grid, S> {
     }
 
     /// Whether none of a triangle's corners is void or off the map.
+    #[inline(always)]
     pub fn is_present(&self, triangle: &Triangle) -> bool {
         self.corner_elevations(triangle).iter().all(|elevation| !elevation.is_nan())
     }
 
     /// Elevation of the plane through a triangle at `u` cells east and `v` cells south of its
     /// cell's north-west sample; also beyond the triangle. NaN where the triangle is absent.
+    #[inline(always)]
     pub fn plane_elevation(&self, triangle: &Triangle, u: f64, v: f64) -> f64 {
-        let [first, second, third] = self.corner_elevations(triangle);
-        match triangle.half {
-            Half::NorthEast => first + u * (second - first) + v * (third - second),
-            Half::SouthWest => first + u * (second - third) + v * (third - first),
-        }
+        plane_through(triangle.half, self.corner_elevations(triangle), u, v)
     }
 
     /// The triangle over or under `point`. On a shared edge it is one of the two, and one that is
@@ -278,6 +276,17 @@ impl<'grid, S: Sample> Heightfield<'grid, S> {
         } else {
             None
         }
+    }
+}
+
+/// Elevation of the plane through a triangle's corners (in the order of [`Triangle::corners`]) at `u`
+/// cells east and `v` cells south of the first one.
+#[inline(always)]
+pub(crate) fn plane_through(half: Half, corners: [f64; 3], u: f64, v: f64) -> f64 {
+    let [first, second, third] = corners;
+    match half {
+        Half::NorthEast => first + u * (second - first) + v * (third - second),
+        Half::SouthWest => first + u * (second - third) + v * (third - first),
     }
 }
 

@@ -33,6 +33,7 @@ impl GridPoint {
 
     /// The point `u` cells east and `v` cells south of sample (`column`, `row`); `u` and `v` may be
     /// any numbers.
+    #[inline(always)]
     pub fn from_sample(column: i64, row: i64, u: f64, v: f64, elevation: f64) -> Self {
         Self { column, row, u, v, elevation }.normalized()
     }
@@ -62,6 +63,7 @@ impl GridPoint {
         ]
     }
 
+    #[inline(always)]
     fn normalized(self) -> Self {
         let (column, u) = split(self.column, self.u);
         let (row, v) = split(self.row, self.v);
@@ -76,7 +78,13 @@ impl GridPoint {
 
 /// Moves the whole cells of `fraction` into `cell`. A number that is not finite stays a fraction,
 /// where [`GridPoint::is_finite`] sees it.
+#[inline(always)]
 fn split(cell: i64, fraction: f64) -> (i64, f64) {
+    // Most often nothing is to be moved, and rounding down may be a call to a library.
+    let is_split = (0.0..1.0).contains(&fraction) && fraction.is_sign_positive();
+    if is_split && cell.unsigned_abs() < FARTHEST_CELL as u64 {
+        return (cell, fraction);
+    }
     if !fraction.is_finite() {
         return (cell, fraction);
     }

@@ -7,8 +7,11 @@
 //! Triangles are one-sided (paper 3.1): a ray meets them from above only. Which side the ray is on
 //! is carried from triangle to triangle rather than computed anew, so that no rounding lets a ray
 //! slip through between two of them.
+//!
+//! Most rays are as short as a triangle. Everything is compiled into its caller, so that what the
+//! caller knows of the ray's beginning and does not ask of its end costs nothing.
 
-use crate::heightfield::Heightfield;
+use crate::heightfield::{Heightfield, plane_through};
 use crate::lattice::{Half, Triangle};
 use crate::point::GridPoint;
 use crate::sample::Sample;
@@ -56,6 +59,7 @@ pub struct Cast {
 
 /// Casts the straight segment from `from` to `to`, through `most_cells` cells at the most. All
 /// numbers in both points must be finite.
+#[inline(always)]
 pub fn cast<S: Sample>(
     field: &Heightfield<S>,
     from: &GridPoint,
@@ -122,6 +126,7 @@ impl Path {
     }
 
     /// Columns and rows from a cell's north-west sample at `t`.
+    #[inline(always)]
     fn in_cell(&self, column: i64, row: i64, t: f64) -> (f64, f64) {
         let u = self.start[0] + t * self.step[0] - (column - self.column) as f64;
         let v = self.start[1] + t * self.step[1] - (row - self.row) as f64;
@@ -140,6 +145,7 @@ impl Path {
     }
 
     /// The part of the path over the map, as (t of entry, t of exit); `None` where it misses.
+    #[inline(always)]
     fn over_map<S: Sample>(
         &self,
         field: &Heightfield<S>,
@@ -199,6 +205,7 @@ struct CellWalk<'path> {
 }
 
 impl<'path> CellWalk<'path> {
+    #[inline(always)]
     fn new(path: &'path Path, entry: f64, ends: f64) -> Self {
         let (mut column, mut row) = (path.column, path.row);
         if entry > 0.0 {
@@ -212,11 +219,13 @@ impl<'path> CellWalk<'path> {
     }
 
     /// t at which the path leaves the cell, or ends.
+    #[inline(always)]
     fn leaves(&self) -> f64 {
         self.leaves_column().min(self.leaves_row()).clamp(self.entered, self.ends)
     }
 
     /// Goes on to the next cell; false at the path's end.
+    #[inline(always)]
     fn advance(&mut self) -> bool {
         let (by_column, by_row) = (self.leaves_column(), self.leaves_row());
         let next = by_column.min(by_row);
@@ -241,6 +250,7 @@ impl<'path> CellWalk<'path> {
     }
 
     /// t at which the path leaves `cell` on one axis; infinite where it never does.
+    #[inline(always)]
     fn boundary(&self, axis: usize, cell: i64, first: i64) -> f64 {
         let (start, step) = (self.path.start[axis], self.path.step[axis]);
         let last = self.path.last_cell[axis];
@@ -277,6 +287,7 @@ struct Ray<'a, S> {
 
 impl<S: Sample> Ray<'_, S> {
     /// Follows the path through a cell from t0 to t1, and keeps the side it is on.
+    #[inline(always)]
     fn through_cell(
         &mut self,
         column: i64,
@@ -323,17 +334,19 @@ impl<S: Sample> Ray<'_, S> {
 
     /// Paper 3.5, figure 11b: whether the path is above all four corners. Void corners do not
     /// count: where the path is that high, it is above whatever is there.
+    #[inline(always)]
     fn is_culled(&self, column: i64, row: i64, t0: f64, t1: f64) -> bool {
         let (field, path) = (self.field, self.path);
-        let north = field.elevation(column, row).max(field.elevation(column + 1, row));
-        let south = field.elevation(column, row + 1).max(field.elevation(column + 1, row + 1));
-        path.elevation(t0).min(path.elevation(t1)) > north.max(south)
+        let [a, b, c, d] = field.elevations_near(column, row, [(0, 0), (1, 0), (0, 1), (1, 1)]);
+        path.elevation(t0).min(path.elevation(t1)) > a.max(b).max(c.max(d))
     }
 
     /// Follows the path over one triangle from t0 to t1.
+    #[inline(always)]
     fn over(&mut self, triangle: Triangle, t0: f64, t1: f64) -> Option<(Triangle, GridPoint)> {
-        let entered_at = self.height_above(&triangle, t0);
-        let left_at = self.height_above(&triangle, t1);
+        let corners = self.field.corner_elevations(&triangle);
+        let entered_at = self.height_above(&triangle, corners, t0);
+        let left_at = self.height_above(&triangle, corners, t1);
         if left_at.is_nan() {
             self.side = Side::Unknown;
             return None;
@@ -345,7 +358,7 @@ impl<S: Sample> Ray<'_, S> {
             Side::Above if left_at < 0.0 => {
                 let entered_at = entered_at.max(0.0);
                 let t = t0 + (t1 - t0) * (entered_at / (entered_at - left_at));
-                Some((triangle, self.point_on(&triangle, t)))
+                Some((triangle, self.point_on(&triangle, corners, t)))
             }
             Side::Below if left_at > 0.0 => {
                 self.side = Side::Above;
@@ -355,16 +368,17 @@ impl<S: Sample> Ray<'_, S> {
         }
     }
 
-    /// Metres from a triangle's plane up to the path at `t`.
-    fn height_above(&self, triangle: &Triangle, t: f64) -> f64 {
+    /// Metres from the plane through a triangle's `corners` up to the path at `t`.
+    #[inline(always)]
+    fn height_above(&self, triangle: &Triangle, corners: [f64; 3], t: f64) -> f64 {
         let (u, v) = self.path.in_cell(triangle.column, triangle.row, t);
-        self.path.elevation(t) - self.field.plane_elevation(triangle, u, v)
+        self.path.elevation(t) - plane_through(triangle.half, corners, u, v)
     }
 
     /// The point of a triangle under the path at `t`.
-    fn point_on(&self, triangle: &Triangle, t: f64) -> GridPoint {
+    fn point_on(&self, triangle: &Triangle, corners: [f64; 3], t: f64) -> GridPoint {
         let point = self.path.point(triangle.column, triangle.row, t);
-        let elevation = self.field.plane_elevation(triangle, point.u, point.v);
+        let elevation = plane_through(triangle.half, corners, point.u, point.v);
         GridPoint { elevation, ..point }
     }
 }

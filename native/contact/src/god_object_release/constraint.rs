@@ -22,8 +22,8 @@ pub(super) struct Slide {
     /// coordinates: a share below 0 lies beyond the opposite edge).
     from: [f64; 3],
     to: [f64; 3],
-    /// The projection.
-    pub(super) foot: GridPoint,
+    /// The projection, columns and rows from the triangle's first corner.
+    foot: (f64, f64),
 }
 
 /// Where a slide leaves its triangle, if it does.
@@ -46,8 +46,15 @@ pub(super) struct Line {
 
 impl Constraint {
     /// `None` where the triangle is absent.
+    #[inline(always)]
     pub(super) fn new<S: Sample>(field: &Heightfield<S>, triangle: Triangle) -> Option<Self> {
-        let [first, second, third] = field.corner_elevations(&triangle);
+        Self::through(triangle, field.corner_elevations(&triangle))
+    }
+
+    /// Through corners at these elevations; `None` where one of them is NaN.
+    #[inline(always)]
+    pub(super) fn through(triangle: Triangle, corners: [f64; 3]) -> Option<Self> {
+        let [first, second, third] = corners;
         let slope = gradient(face_of_first(triangle.half), second - first, third - first);
         let is_present = !(slope.0 + slope.1).is_nan();
         is_present.then_some(Self { triangle, elevation: first, slope })
@@ -55,6 +62,7 @@ impl Constraint {
 
     /// From a proxy on the triangle to the goal's orthogonal projection on the plane (paper
     /// equation 2): what one Lagrange multiplier gives.
+    #[inline(always)]
     pub(super) fn slide(&self, from: &GridPoint, goal: &GridPoint, weights: &Weights) -> Slide {
         let Triangle { column, row, .. } = self.triangle;
         let (east, south) = self.slope;
@@ -68,11 +76,27 @@ impl Constraint {
         Slide {
             from: self.shares(from_u, from_v).map(|share| share.max(0.0)),
             to: self.shares(u, v),
-            foot: self.point(u, v),
+            foot: (u, v),
         }
     }
 
+    /// Where a slide leads: the goal's projection.
+    #[inline(always)]
+    pub(super) fn foot(&self, slide: &Slide) -> GridPoint {
+        let (u, v) = slide.foot;
+        let elevation = self.elevation + (self.slope.0 * u + self.slope.1 * v);
+        GridPoint::from_sample(self.triangle.column, self.triangle.row, u, v, elevation)
+    }
+
+    /// Squared length of a slide, cell widths.
+    pub(super) fn gain(&self, slide: &Slide, from: &GridPoint, weights: &Weights) -> f64 {
+        let foot = self.foot(slide);
+        let [u, v, up] = foot.relative_to(from.column, from.row, from.elevation);
+        weights.squared([u - from.u, v - from.v, up])
+    }
+
     /// Where a slide leaves the triangle.
+    #[inline(always)]
     pub(super) fn exit(&self, slide: &Slide) -> Exit {
         let Slide { from, to, .. } = slide;
         let (mut first, mut corner) = (f64::INFINITY, None);
@@ -121,11 +145,6 @@ impl Constraint {
         };
         [first, second, third]
     }
-
-    fn point(&self, u: f64, v: f64) -> GridPoint {
-        let elevation = self.elevation + (self.slope.0 * u + self.slope.1 * v);
-        GridPoint::from_sample(self.triangle.column, self.triangle.row, u, v, elevation)
-    }
 }
 
 impl Slide {
@@ -133,25 +152,27 @@ impl Slide {
     pub(super) fn leads_inside(&self) -> bool {
         (0..3).all(|corner| self.from[corner] > 0.0 || self.to[corner] >= 0.0)
     }
-
-    /// Squared length, cell widths.
-    pub(super) fn gain(&self, from: &GridPoint, weights: &Weights) -> f64 {
-        let [u, v, up] = self.foot.relative_to(from.column, from.row, from.elevation);
-        weights.squared([u - from.u, v - from.v, up])
-    }
 }
 
 impl Line {
     /// `None` where an end is void or off the map.
+    #[inline(always)]
     pub(super) fn new<S: Sample>(
         field: &Heightfield<S>,
         (column, row): (i64, i64),
         k: usize,
     ) -> Option<Self> {
         let elevation = field.elevation(column, row);
-        let rise = field.elevation(column + EAST[k], row + SOUTH[k]) - elevation;
+        let end = field.elevation(column + EAST[k], row + SOUTH[k]);
+        Self::between((column, row), k, elevation, end)
+    }
+
+    /// Between ends at these elevations; `None` where one of them is NaN.
+    #[inline(always)]
+    pub(super) fn between(vertex: (i64, i64), k: usize, elevation: f64, end: f64) -> Option<Self> {
+        let rise = end - elevation;
         let vector = [EAST[k] as f64, SOUTH[k] as f64, rise];
-        (!rise.is_nan()).then_some(Self { vertex: (column, row), k, elevation, vector })
+        (!rise.is_nan()).then_some(Self { vertex, k, elevation, vector })
     }
 
     /// The share of the edge at which it is closest to the goal, on its whole line (paper equation
@@ -167,6 +188,7 @@ impl Line {
     }
 
     /// The point at `share`, between the ends.
+    #[inline(always)]
     pub(super) fn point(&self, share: f64) -> GridPoint {
         let [u, v, rise] = self.vector.map(|part| share * part);
         let (column, row) = self.vertex;

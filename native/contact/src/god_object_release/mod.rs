@@ -32,9 +32,9 @@ use crate::proxy::{Place, Proxy};
 use crate::way::{ahead, cells_between, target};
 use crate::weights::Weights;
 use constraint::{Constraint, Exit, Line, Slide};
-use surface::lattice::{counterclockwise, face};
+use surface::lattice::{clockwise, counterclockwise, face};
 use surface::ray::{RayEnd, Side, Start, cast};
-use surface::{Grid, GridPoint, Heightfield, Metric, Sample, Triangle, on_heightfield};
+use surface::{Grid, GridPoint, Heightfield, Metric, Sample, on_heightfield};
 
 /// Steps in a row that may bring the proxy no nearer: to a hit, to the hit triangle's edge, onto its
 /// neighbour, and once around a vertex's six faces would be more.
@@ -43,6 +43,9 @@ const IDLE_STEPS: u32 = 6;
 /// Cells that a collision test along a slide looks at: the triangle behind an edge is in the same
 /// cell as the one before it, or in the next.
 const CELLS_AHEAD: u32 = 2;
+
+/// A vertex and the ends of its six edges, columns and rows from it.
+const AROUND: [(i64, i64); 7] = [(0, 0), (1, 0), (1, 1), (0, 1), (-1, 0), (-1, -1), (0, -1)];
 
 /// The god-object with constraint release.
 pub struct GodObjectRelease {
@@ -173,20 +176,21 @@ impl GodObjectRelease {
         counters: &mut Counters,
     ) -> Step {
         counters.faces += 1;
-        if !slide.foot.is_finite() {
+        let foot = constraint.foot(slide);
+        if !foot.is_finite() {
             return Step::GoOn;
         }
         match constraint.exit(slide) {
             Exit::None => {
                 let place = Place::Face(constraint.triangle());
-                self.proxy = Proxy { position: slide.foot, place };
+                self.proxy = Proxy { position: foot, place };
             }
             Exit::Vertex(column, row) => self.stand_on(search.field, (column, row)),
             Exit::Edge { vertex, k, share } => {
                 let Some(line) = Line::new(search.field, vertex, k) else {
                     return Step::Ended;
                 };
-                let is_met = self.meets_another(search, constraint, slide, counters);
+                let is_met = self.meets_another(search, constraint, &foot, counters);
                 self.rest_on(&line, share);
                 let beyond = line.other_side(&constraint.triangle());
                 if !is_met && search.field.is_present(&beyond) {
@@ -203,13 +207,13 @@ impl GodObjectRelease {
         &self,
         search: &Search<S>,
         constraint: &Constraint,
-        slide: &Slide,
+        foot: &GridPoint,
         counters: &mut Counters,
     ) -> bool {
         counters.collision_tests += 1;
         let most_cells = CELLS_AHEAD.min(self.step_budget.saturating_sub(counters.steps()));
         let start = Start::Surface(constraint.triangle());
-        let ray = cast(search.field, &self.proxy.position, start, &slide.foot, most_cells);
+        let ray = cast(search.field, &self.proxy.position, start, foot, most_cells);
         counters.cells += ray.cells;
         matches!(ray.end, RayEnd::Hit(..))
     }
@@ -297,7 +301,7 @@ impl<S: Sample> Search<'_, S> {
     ) -> Held {
         let mut best = Best::default();
         for k in [k, counterclockwise(k)] {
-            best.try_face(self, proxy, target, face(column, row, k));
+            best.try_plane(self, proxy, target, Constraint::new(self.field, face(column, row, k)));
         }
         match (best.held, Line::new(self.field, (column, row), k)) {
             (Some((plane, slide)), _) => Held::Face(plane, slide),
@@ -308,14 +312,18 @@ impl<S: Sample> Search<'_, S> {
 
     fn held_on_vertex(&self, proxy: &Proxy, target: &GridPoint, vertex: (i64, i64)) -> Held {
         let (column, row) = vertex;
+        // The samples around are read once for all six planes and lines.
+        let [here, around @ ..] = self.field.elevations_near(column, row, AROUND);
         let mut best = Best::default();
         for k in 0..6 {
-            best.try_face(self, proxy, target, face(column, row, k));
+            let corners = corners_of_face(k, here, around);
+            let plane = Constraint::through(face(column, row, k), corners);
+            best.try_plane(self, proxy, target, plane);
         }
         let on_face = |(plane, slide)| Held::Face(plane, slide);
         let mut held = best.held.map_or(Held::Vertex, on_face);
-        for k in 0..6 {
-            let Some(line) = Line::new(self.field, vertex, k) else { continue };
+        for (k, end) in around.into_iter().enumerate() {
+            let Some(line) = Line::between(vertex, k, here, end) else { continue };
             let share = line.closest_share(target, &self.weights);
             let gain = share * share * line.squared_length(&self.weights);
             if share > 0.0 && gain > best.gain && line.has_face(self.field) {
@@ -324,6 +332,18 @@ impl<S: Sample> Search<'_, S> {
             }
         }
         held
+    }
+}
+
+/// Elevations of the corners of a vertex's face `k`, in the order of `Triangle::corners`: `here` is
+/// the vertex's own, `around` those of its neighbours.
+#[inline(always)]
+fn corners_of_face(k: usize, here: f64, around: [f64; 6]) -> [f64; 3] {
+    let (first, second) = (around[k], around[clockwise(k)]);
+    match k {
+        0 | 1 => [here, first, second],
+        2 | 3 => [second, here, first],
+        _ => [first, second, here],
     }
 }
 
@@ -337,19 +357,20 @@ struct Best {
 }
 
 impl Best {
-    fn try_face<S: Sample>(
+    #[inline(always)]
+    fn try_plane<S: Sample>(
         &mut self,
         search: &Search<S>,
         proxy: &Proxy,
         target: &GridPoint,
-        triangle: Triangle,
+        plane: Option<Constraint>,
     ) {
-        let Some(plane) = Constraint::new(search.field, triangle) else { return };
+        let Some(plane) = plane else { return };
         let slide = plane.slide(&proxy.position, target, &search.weights);
         if !slide.leads_inside() {
             return;
         }
-        let gain = slide.gain(&proxy.position, &search.weights);
+        let gain = plane.gain(&slide, &proxy.position, &search.weights);
         if gain > self.gain {
             *self = Self { held: Some((plane, slide)), gain };
         }

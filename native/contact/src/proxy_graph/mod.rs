@@ -176,8 +176,8 @@ impl ProxyGraph {
         let target = search.field.nearest_on_map(&search.goal);
         loop {
             let ring = Ring::new(search.field, column, row);
-            self.stand_on_vertex(column, row, ring.elevation());
             if counters.steps() >= self.step_budget {
+                self.stand_on(&ring);
                 counters.steps_left = cells_between(&self.position, &target);
                 return Constrained::Ended;
             }
@@ -185,9 +185,11 @@ impl ProxyGraph {
 
             let goal = target.relative_to(column, row, ring.elevation());
             if !ring.blocks(ring.face_toward(goal[0], goal[1]), goal) {
+                self.stand_on(&ring);
                 return Constrained::Unobstructed;
             }
             let Some(edge) = ring.steepest_edge(goal, &search.weights) else {
+                self.stand_on(&ring);
                 return Constrained::Ended;
             };
             if edge.end_is_closer {
@@ -216,7 +218,9 @@ impl ProxyGraph {
         }
     }
 
-    fn stand_on_vertex(&mut self, column: i64, row: i64, elevation: f64) {
+    /// Rests at the ring's vertex.
+    fn stand_on(&mut self, ring: &Ring) {
+        let ((column, row), elevation) = (ring.vertex(), ring.elevation());
         self.position = GridPoint { column, row, u: 0.0, v: 0.0, elevation };
         self.place = Place::Vertex { column, row };
     }

@@ -4,6 +4,7 @@
 //! depend on how these are measured; only scalar products do, and they take the [`Weights`].
 
 use crate::weights::Weights;
+use std::array;
 use surface::lattice::{EAST, SOUTH, along_edges, clockwise, counterclockwise, gradient, sector};
 use surface::{GridPoint, Heightfield, Sample};
 
@@ -22,8 +23,9 @@ pub(super) struct Edge {
     /// Whether its end is closer to the goal than the vertex.
     pub(super) end_is_closer: bool,
     vector: [f64; 3],
-    /// Share of the edge at which it is closest to the goal, from 0 to 1.
-    closest_share: f64,
+    /// Scalar product with the way to the goal.
+    product: f64,
+    squared_length: f64,
 }
 
 /// The closest point to the goal on an edge and the two faces beside it.
@@ -76,28 +78,46 @@ impl Ring {
     /// The edge with the most negative edge gradient (paper figure 8), if any is negative.
     #[inline(always)]
     pub(super) fn steepest_edge(&self, goal: [f64; 3], weights: &Weights) -> Option<Edge> {
+        let products = self.products(goal, weights);
+        let squared_lengths = self.squared_lengths(weights);
         let (mut steepest, mut best_gain) = (None, 0.0);
         for k in 0..6 {
-            let edge = self.edge_vector(k);
-            let product = weights.product(edge, goal);
             // Edge gradients are compared by their squares, and without the factor that all share:
-            // the distance to the goal.
-            if product > 0.0 {
-                let gain = product * product / weights.squared(edge);
+            // the distance to the goal. With a branch for each: the processor guesses the way, and
+            // has the next samples on theirs. To take the greatest without a branch costs more.
+            if products[k] > 0.0 {
+                let gain = products[k] * products[k] / squared_lengths[k];
                 if gain > best_gain && self.has_face(k) {
-                    (steepest, best_gain) = (Some((k, product)), gain);
+                    (steepest, best_gain) = (Some((k, products[k], squared_lengths[k])), gain);
                 }
             }
         }
-        let (k, product) = steepest?;
-        Some(self.edge_toward(k, product, goal, weights))
+        let (k, product, squared_length) = steepest?;
+        Some(self.edge_toward(k, product, squared_length, goal, weights))
+    }
+
+    /// Scalar products of the edges with the way to the goal: [`Weights::product`] without the terms
+    /// that are zero.
+    #[inline(always)]
+    fn products(&self, goal: [f64; 3], weights: &Weights) -> [f64; 6] {
+        let (east, south) = (goal[0], weights.row * goal[1]);
+        let along_ground = [east, east + south, south, -east, -(east + south), -south];
+        array::from_fn(|k| along_ground[k] + weights.up * (self.rises[k] * goal[2]))
+    }
+
+    /// [`Weights::squared`] of the edges, without the terms that are zero.
+    #[inline(always)]
+    fn squared_lengths(&self, weights: &Weights) -> [f64; 6] {
+        let diagonal = 1.0 + weights.row;
+        let on_ground = [1.0, diagonal, weights.row, 1.0, diagonal, weights.row];
+        array::from_fn(|k| on_ground[k] + weights.up * (self.rises[k] * self.rises[k]))
     }
 
     /// The closest point to the goal on an edge that has a minimum, and on the two faces beside it
     /// (paper equations 1 and 2). Where the goal's projection on a face lies between the lines of
     /// the vertex's edges but beyond the third, the closest point is on that far edge (paper 3.3).
     pub(super) fn minimum_beside(&self, edge: &Edge, goal: [f64; 3], weights: &Weights) -> Minimum {
-        let share = edge.closest_share;
+        let share = (edge.product / edge.squared_length).min(1.0);
         let mut minimum = Minimum::OnEdge { k: edge.k, share };
         let mut squared_distance = weights.squared(beyond(goal, edge.vector, share));
         for k in [edge.k, counterclockwise(edge.k)] {
@@ -161,16 +181,21 @@ impl Ring {
     }
 
     #[inline(always)]
-    fn edge_toward(&self, k: usize, product: f64, goal: [f64; 3], weights: &Weights) -> Edge {
+    fn edge_toward(
+        &self,
+        k: usize,
+        product: f64,
+        squared_length: f64,
+        goal: [f64; 3],
+        weights: &Weights,
+    ) -> Edge {
         let vector = self.edge_vector(k);
-        let squared_length = weights.squared(vector);
         // The end is closer by more than rounding can feign, so that a chain of steps never comes
         // round to where it began.
         let gained = 2.0 * product - squared_length;
         let rounding =
             8.0 * f64::EPSILON * (2.0 * weights.magnitude(vector, goal) + squared_length);
-        let closest_share = (product / squared_length).min(1.0);
-        Edge { k, end_is_closer: gained > rounding, vector, closest_share }
+        Edge { k, end_is_closer: gained > rounding, vector, product, squared_length }
     }
 
     /// The goal's projection on face `k` where it is inside the face, or the closest point of the
@@ -235,8 +260,9 @@ mod tests {
     /// Whether the end of edge `k` is taken for closer to `goal` than the vertex.
     fn end_is_closer(rises: [f64; 6], k: usize, goal: [f64; 3], weights: &Weights) -> bool {
         let ring = ring(rises);
-        let product = weights.product(ring.edge_vector(k), goal);
-        ring.edge_toward(k, product, goal, weights).end_is_closer
+        let product = ring.products(goal, weights)[k];
+        let squared_length = ring.squared_lengths(weights)[k];
+        ring.edge_toward(k, product, squared_length, goal, weights).end_is_closer
     }
 
     proptest! {
