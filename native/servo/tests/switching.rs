@@ -220,7 +220,7 @@ fn a_switch_while_the_session_stands_holds_when_it_goes_on() {
     let log = Log::default();
     let mut session = session(Watched::pressing(&log), proxy_graph());
     session.start().unwrap();
-    wait_until(|| log.forces().last().is_some_and(|force| force[2] > 0.0));
+    wait_until(|| log.pushes());
     session.stop();
     session.set_model(build(&Model::ProxyGraph)).unwrap();
     session.step(3).unwrap();

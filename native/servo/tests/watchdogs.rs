@@ -16,14 +16,6 @@ fn watched(log: &Log, stale_after: Option<f64>) -> Session {
     Session::new(flat_ground(), device, proxy_graph(), window(), settings).unwrap()
 }
 
-fn pushes(log: &Log) -> bool {
-    log.forces().last().is_some_and(|force| force[2] > 0.0)
-}
-
-fn rests(log: &Log) -> bool {
-    log.forces().last() == Some(&[0.0; 3])
-}
-
 #[test]
 fn a_host_that_does_not_look_takes_the_force_away_until_it_looks_again() {
     let log = Log::default();
@@ -32,11 +24,11 @@ fn a_host_that_does_not_look_takes_the_force_away_until_it_looks_again() {
     for round in 1..3 {
         wait_until(|| {
             session.heartbeat();
-            pushes(&log)
+            log.pushes()
         });
         // Now nobody looks: statistics are for reports, not for drawing.
         wait_until(|| session.statistics().totals.trips.host_cuts >= round);
-        wait_until(|| rests(&log));
+        wait_until(|| log.rests());
     }
     wait_until(|| session.state().force[2] > 0.0);
     session.stop();
@@ -51,7 +43,7 @@ fn a_session_that_nobody_needs_to_look_at_is_not_waited_for() {
     let mut session = watched(&log, None);
     session.start().unwrap();
     wait_until(|| log.reads() > 300);
-    wait_until(|| pushes(&log));
+    wait_until(|| log.pushes());
     session.stop();
     assert_eq!(session.statistics().totals.trips.host_cuts, 0);
 }
@@ -61,7 +53,7 @@ fn steps_wait_for_nobody() {
     let log = Log::default();
     let mut session = watched(&log, Some(STALE_AFTER));
     session.step(1000).unwrap();
-    assert!(pushes(&log));
+    assert!(log.pushes());
     session.start().unwrap();
     session.stop();
     session.step(1).unwrap();
@@ -116,11 +108,11 @@ fn two_sessions_at_once_do_not_disturb_each_other() {
     wait_until(|| !other.running());
     assert_eq!(other_log.last_force(), [0.0; 3]);
     let before = log.reads();
-    wait_until(|| log.reads() > before + 100 && pushes(&log));
+    wait_until(|| log.reads() > before + 100 && log.pushes());
     assert!(session.running() && session.fault().is_none());
     let mut third = watched(&other_log, None);
     third.start().unwrap();
-    wait_until(|| pushes(&other_log));
+    wait_until(|| other_log.pushes());
     drop((session, third));
     assert_eq!((log.last_force(), other_log.last_force()), ([0.0; 3], [0.0; 3]));
 }
@@ -133,7 +125,7 @@ fn full_queues_hold_up_neither_the_force_nor_its_end() {
     let mut session =
         Session::new(flat_ground(), device, proxy_graph(), window(), settings).unwrap();
     session.start().unwrap();
-    wait_until(|| pushes(&log));
+    wait_until(|| log.pushes());
     // More than the loop takes between two looks; whether one is refused is up to the machine.
     let elsewhere = Window::new(20.0, -40.0, 0.0, 8.0, 1.0).unwrap();
     let refused: Vec<String> = (0..2000)

@@ -85,12 +85,30 @@ impl Log {
         self.all().into_iter().filter_map(force_of).collect()
     }
 
+    /// Newtons; nothing is copied, so that a loop that logs need not wait long for who looks.
+    fn newest_force(&self) -> Option<[f64; 3]> {
+        self.0.lock().unwrap().iter().rev().find_map(|seen| match seen {
+            Seen::Write(force, _) => Some(*force),
+            _ => None,
+        })
+    }
+
+    /// Whether the hand is pushed up now.
+    pub fn pushes(&self) -> bool {
+        self.newest_force().is_some_and(|force| force[2] > 0.0)
+    }
+
+    /// Whether the hand feels nothing now.
+    pub fn rests(&self) -> bool {
+        self.newest_force() == Some([0.0; 3])
+    }
+
     pub fn last_force(&self) -> [f64; 3] {
         *self.forces().last().expect("something was written")
     }
 
     pub fn reads(&self) -> usize {
-        self.all().iter().filter(|seen| matches!(seen, Seen::Read(_))).count()
+        self.0.lock().unwrap().iter().filter(|seen| matches!(seen, Seen::Read(_))).count()
     }
 
     pub fn dropped(&self) -> bool {
@@ -191,8 +209,11 @@ impl<F: FnMut(&GridPoint) -> (GridPoint, Feature) + Send> ContactModel for Told<
 }
 
 /// Waits until something is so; a test that hangs here is ended by whoever runs the tests.
+///
+/// It sleeps meanwhile: on a busy machine a test that went round and round would take the time that
+/// the loop needs to be punctual, without which there is no force to wait for.
 pub fn wait_until(mut so: impl FnMut() -> bool) {
     while !so() {
-        std::thread::yield_now();
+        std::thread::sleep(std::time::Duration::from_millis(1));
     }
 }
