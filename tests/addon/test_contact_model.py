@@ -160,7 +160,7 @@ def test_the_panel_shows_the_knob_of_the_chosen_model(model: str, knobs: list[st
         start()
     settings().contact_model = model
     shown = drawn("HAPTIC_TERRAIN_PT_touch").properties
-    others = ("device", "window_width", "max_force")
+    others = ("device", "window_width", "max_force", "passivity_control")
     assert [name for name in shown if name not in others] == ["contact_model", *knobs]
 
 

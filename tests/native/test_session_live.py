@@ -48,8 +48,8 @@ def test_a_live_session_counts_its_ticks_and_gives_every_one() -> None:
     counts = session.statistics()
     assert numbers == list(range(1, counts.ticks + 1))
     assert all(one < other for one, other in pairwise(times))
-    # A millisecond for every tick done or missed.
-    assert times[-1] <= (counts.ticks + counts.missed_ticks) / 1000
+    # A millisecond for every tick done or missed, and the last may be late by less than one.
+    assert times[-1] < (counts.ticks + counts.missed_ticks + 1) / 1000
     assert counts.dropped == 0
     assert session.state().force == (0.0, 0.0, 0.0), "a session that stands gives no force"
 
