@@ -9,7 +9,7 @@ use common::trial::Trial;
 use common::*;
 use contact::Feature;
 use proptest::prelude::*;
-use surface::{Grid, GridPoint};
+use surface::{Grid, GridPoint, Metric};
 
 const BUDGET: u32 = 256;
 
@@ -135,5 +135,26 @@ proptest! {
                 trial.update(&hand.next(&grid, &SQUARE)).unwrap();
             }
         }
+    }
+}
+
+/// A proxy exactly on a sample beside a hole is on neither side of the ground yet. Found by fuzzing.
+#[test]
+fn a_landing_by_rounding_does_not_hold_a_proxy_whose_way_is_free() {
+    const HEIGHTS: [[f64; 4]; 4] = [
+        [f64::NAN, 5.665959325394913, 2.186715250336632, f64::NAN],
+        [f64::NAN, 3.0910626179113505, 0.22333657600292764, f64::NAN],
+        [f64::NAN, 4.065464960480909, 3.76166527902134, 3.9033608197836394],
+        [1.0573876359374972, 7.22245074634235, 7.524217276346902, f64::NAN],
+    ];
+    let ground = grid(4, 4, false, |column, row| HEIGHTS[row][column]);
+    let metric = Metric { column: 1.29, row: 0.4, up: 0.376 };
+    for model in all_models(&metric).into_iter().filter(|model| is_exact(&*model.build(BUDGET))) {
+        let sample = GridPoint::from_sample(2, 1, 0.0, 0.0, HEIGHTS[1][2]);
+        let mut trial = Trial::new(&ground, metric, &model, BUDGET, sample);
+        let over_the_edge =
+            GridPoint::from_sample(1, 0, 0.5, 0.9992254419944574, 1.7116479196975725);
+        trial.rest(&over_the_edge).unwrap();
+        assert_eq!(trial.proxy().position, over_the_edge, "{model:?}");
     }
 }

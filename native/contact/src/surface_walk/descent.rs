@@ -50,7 +50,7 @@ impl<S: Sample> Walk<'_, '_, S> {
         counters.faces += 1;
         let face = Face::new(self.search, triangle);
         let shares = face.shares_at(&self.proxy.position);
-        if !(face.goal_height <= 0.0) && !(has_landed && face.norm.is_finite()) {
+        if !(face.goal_height <= 0.0) && !(has_landed && face.holds_within_rounding()) {
             if face.norm.is_finite() {
                 self.proxy.position = face.point(shares[1], shares[2]);
             }

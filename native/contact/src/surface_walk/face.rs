@@ -101,6 +101,15 @@ impl Face {
         }
     }
 
+    /// Whether rounding alone may have put the goal over the plane; not where the triangle is absent.
+    #[inline(always)]
+    pub(super) fn holds_within_rounding(&self) -> bool {
+        let [a, b, c] = self.elevations;
+        let [x, y] = self.goal;
+        let size = a.abs() + ((b - a) * x).abs() + ((c - b) * y).abs();
+        self.goal_height <= 16.0 * f64::EPSILON * size
+    }
+
     /// What rounding can make of a foot that lies on an edge.
     #[inline(always)]
     pub(super) fn rounding(&self) -> f64 {
