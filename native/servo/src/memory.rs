@@ -61,7 +61,8 @@ const STACK: usize = 64 * 1024;
 /// The stack of the calling thread below here, every page of it touched once.
 #[inline(never)]
 pub(crate) fn stack_below() -> Piece {
-    let stack = std::hint::black_box([0u8; STACK]);
+    let mut stack = [0u8; STACK];
+    std::hint::black_box(&mut stack);
     Piece::of(&stack)
 }
 
