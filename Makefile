@@ -178,7 +178,7 @@ bench-contact-large: cargo ## The same walk on 2 and 10 thousand million triangl
 	@$(CONTACT_BENCH) --large $(if $(KEEP),--keep) --output $(BENCH)
 
 .PHONY: bench-servo
-bench-servo: cargo $(PACKAGES) ## Measure the servo: how stiff it can be in closed loop
+bench-servo: cargo $(PACKAGES) ## Measure the servo: stability in closed loop, faults, load, lateness
 	@mkdir -p $(BENCH)
 	@cargo run --quiet --release --manifest-path native/Cargo.toml --package servo_bench -- --output $(BENCH) \
 		--mesh "$(BIN)/python tests/bench/build_meshes.py"

@@ -526,8 +526,8 @@ class Session:
     def locked_memory(self) -> tuple[int, int]:
         """Bytes that the system keeps in memory for the live thread, and bytes that it refused to.
 
-        The thread's stack, state and rings, never the grid. Beyond ``ulimit -l`` it refuses; ticks may then meet
-        a page that was taken away.
+        The thread's stack, and the state and rings that it was started with, never the grid. Beyond ``ulimit -l``
+        it refuses; ticks may then meet a page that was taken away. After ``stop``, what it last was.
         """
     def warnings(self) -> list[str]:
         """What the safety chain did so far, why, and what to do about it: a sentence each, the gravest first."""
@@ -558,7 +558,8 @@ class Session:
     def set_passivity_control(self, controls: bool) -> None:
         """Whether damping is added from the next tick on while ``Statistics.active_ticks`` grows. Off at first.
 
-        Hannaford and Ryu, 2002. Counts on the damping that the device declares by its stiffness.
+        Hannaford and Ryu, 2002. Counts on the damping that the device declares by its stiffness. Raises
+        SessionError where too many commands wait for a live session already.
         """
     def set_target(self, x: float, y: float, z: float) -> None:
         """Where the simulated hand is pulled (workspace metres); other devices ignore it.

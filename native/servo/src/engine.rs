@@ -96,6 +96,7 @@ impl Engine {
     pub(crate) fn miss(&mut self, ticks: u64) {
         self.periods += ticks;
         self.missed += ticks;
+        self.servo.miss(ticks);
     }
 
     /// A live tick begins that much after its deadline.

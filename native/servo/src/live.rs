@@ -94,15 +94,23 @@ fn run_prepared(
     stop: &AtomicBool,
     fault: &OnceLock<Fault>,
 ) -> Box<Engine> {
-    let pieces = [stack_below()].into_iter().chain(engine.memory());
-    let lock = MemoryLock::of(pieces);
-    // Last: from here on nothing of the thread may take long.
-    let (promotion, priority) = if wants_real_time { Promotion::ask() } else { Promotion::none() };
+    // What goes wrong here is a fault too, with which the loop ends before its first tick.
+    let mut readied = None;
+    engine.guard(|engine| readied = Some(ready(engine, wants_real_time)));
+    let given = readied.as_ref().map_or_else(Granted::default, |(_, _, given)| given.clone());
     // Whoever starts the thread may have gone; the loop then sees that it shall stop.
-    let _ = granted.send(Granted { priority, memory: lock.memory() });
+    let _ = granted.send(given);
     let engine = run_guarded(engine, stop, fault);
-    drop(promotion);
+    drop(readied);
     engine
+}
+
+/// Locks memory, and asks for priority last: from then on nothing of the thread may take long.
+fn ready(engine: &mut Engine, wants_real_time: bool) -> (MemoryLock, Promotion, Granted) {
+    let lock = MemoryLock::of([stack_below()].into_iter().chain(engine.memory()));
+    let (promotion, priority) = if wants_real_time { Promotion::ask() } else { Promotion::none() };
+    let granted = Granted { priority, memory: lock.memory() };
+    (lock, promotion, granted)
 }
 
 /// Whatever happens in the loop, zero force is what the device gets last.

@@ -27,8 +27,11 @@ impl Piece {
     }
 }
 
-/// Locked pieces; dropping it lets them go. They must stay where they are until then, or what comes
-/// to lie there later is kept in memory instead, which harms nobody.
+/// Locked pieces; dropping it lets them go.
+///
+/// A piece that is freed meanwhile, as a contact model that was switched for another, harms nobody;
+/// the new one is not locked, only touched. Systems lock whole pages, once: where two sessions' small
+/// pieces share one, the first that ends lets it go for both.
 pub(crate) struct MemoryLock {
     pieces: Vec<Piece>,
     refused: usize,

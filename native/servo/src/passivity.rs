@@ -148,6 +148,11 @@ impl Passivity {
             return coupling.force;
         }
         let step: [f64; 3] = std::array::from_fn(|axis| coupling.hand[axis] - before[axis]);
+        if !dot(step, step).is_finite() {
+            // No account can be kept of such a way: a new one begins where the hand is now.
+            self.begin();
+            return coupling.force;
+        }
         self.listen(coupling);
         let gives = self.book(step, dt);
         self.square(coupling);

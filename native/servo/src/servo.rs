@@ -257,6 +257,11 @@ impl Servo {
         self.safety.set_target(target);
     }
 
+    /// Deadlines passed without a tick.
+    pub(crate) fn miss(&mut self, ticks: u64) {
+        self.safety.miss(ticks);
+    }
+
     /// What every tick needs beside the servo itself.
     pub(crate) fn memory(&self) -> [Piece; 2] {
         [Piece::of(&*self.model), self.safety.memory()]
@@ -275,7 +280,7 @@ impl Servo {
 
     /// Takes a stage out of the safety chain.
     #[cfg(feature = "test-hooks")]
-    pub fn switch_off(&mut self, stage: Stage) {
+    pub(crate) fn switch_off(&mut self, stage: Stage) {
         self.safety.switch_off(stage);
     }
 

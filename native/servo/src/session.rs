@@ -229,6 +229,9 @@ impl Session {
                     // What a full ring kept waiting is done before what is asked from now on.
                     self.free_retired();
                     engine.guard(Engine::apply_commands);
+                    if let Some(fault) = engine.fault() {
+                        self.fault.get_or_init(|| fault.clone());
+                    }
                     // Steps are done at the host's own pace, so there is no host to wait for.
                     engine.servo().watch_host(None);
                     self.place = Place::Here(engine);
@@ -267,7 +270,8 @@ impl Session {
         &self.granted.priority
     }
 
-    /// What the system keeps in memory for that thread.
+    /// What the system keeps, or last kept, in memory for that thread: what was there when it was
+    /// started.
     pub fn locked_memory(&self) -> LockedMemory {
         self.granted.memory
     }

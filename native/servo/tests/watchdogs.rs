@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use common::*;
 use devices::DeviceError;
-use servo::{STALE_AFTER, Session, Settings, Window};
+use servo::{Frame, STALE_AFTER, Servo, Session, Settings, Window};
 
 /// A hand that stays a centimetre in the ground, and a session that a host must look at.
 fn watched(log: &Log, stale_after: Option<f64>) -> Session {
@@ -140,4 +140,30 @@ fn full_queues_hold_up_neither_the_force_nor_its_end() {
     assert!(session.statistics().totals.dropped > 0);
     let told: Vec<String> = session.warnings().iter().map(ToString::to_string).collect();
     assert!(told.iter().any(|line| line.contains("lost to recordings")), "{told:?}");
+}
+
+#[test]
+fn what_a_device_failed_at_before_a_pause_is_not_held_against_it() {
+    let log = Log::default();
+    // Every third read fails: nine times in the 27 ticks before the pause, and again after it.
+    let device = Watched::new(&log, |read| {
+        if read % 3 == 2 { Err(DeviceError::Timeout("late".into())) } else { Ok([0.0; 3]) }
+    });
+    let ground = flat_ground();
+    let frame = Frame::new(window(), 0.16, ground.layout()).unwrap();
+    let mut servo =
+        Servo::new(Box::new(device), proxy_graph(), ground, frame, &Settings::default()).unwrap();
+    let mut time = 0.0;
+    let mut run = |servo: &mut Servo, ticks: u32| {
+        for _ in 0..ticks {
+            time += 1e-3;
+            servo.tick(time, 1e-3);
+        }
+    };
+    run(&mut servo, 27);
+    servo.release();
+    run(&mut servo, 27);
+    assert_eq!(servo.fault(), None);
+    run(&mut servo, 3);
+    assert!(servo.fault().is_some(), "the tenth without a pause between");
 }

@@ -136,10 +136,10 @@ impl<'grid, S: Sample> Heightfield<'grid, S> {
         elevations
     }
 
-    /// Bytes from the first sample to another, or to where it would be.
+    /// Bytes from the first sample to another, or to where it would be; far beyond the grid, any.
     #[inline(always)]
     pub(crate) fn offset(&self, column: i64, row: i64) -> i64 {
-        row * self.row_stride as i64 + column * S::BYTES as i64
+        row.wrapping_mul(self.row_stride as i64).wrapping_add(column * S::BYTES as i64)
     }
 
     /// Asks for the cache line that lies so many bytes from the first sample.

@@ -27,7 +27,7 @@ impl<S: Sample> Heightfield<'_, S> {
         let (mut column, mut row) = (fixed(from.u), fixed(from.v));
         let first = self.offset(self.period_column(from.column), from.row);
         for _ in 0..=lines.min(MOST_LINES) as u32 {
-            self.prefetch(first + self.offset(column >> 32, row >> 32));
+            self.prefetch(first.wrapping_add(self.offset(column >> 32, row >> 32)));
             (column, row) = (column + column_step, row + row_step);
         }
     }
@@ -37,7 +37,7 @@ impl<S: Sample> Heightfield<'_, S> {
     pub fn prefetch_beside(&self, point: &GridPoint, [east, south]: [f64; 2]) {
         let (column, row) = (fixed(point.u + east) >> 32, fixed(point.v + south) >> 32);
         let first = self.offset(self.period_column(point.column), point.row);
-        self.prefetch(first + self.offset(column, row));
+        self.prefetch(first.wrapping_add(self.offset(column, row)));
     }
 }
 
@@ -60,11 +60,13 @@ mod tests {
         let layout = GridLayout::packed(2, 2, 1.0, 1.0, SampleType::I16, ByteOrder::Big).unwrap();
         let grid = Grid::from_vec(vec![0; 8], layout).unwrap();
         let field = Heightfield::<I16Big>::new(&grid);
-        let corner = GridPoint::new(0.0, 0.0, 0.0);
+        let (corner, nowhere) = (GridPoint::new(0.0, 0.0, 0.0), GridPoint::new(-1e300, 1e300, 0.0));
         for cells in [0.0, -0.0, 0.5, -1.0, 1e3, -1e9, 1e300, f64::INFINITY, f64::NAN] {
             for way in [[cells, 0.0], [0.0, cells], [cells, -cells]] {
-                field.prefetch_way(&corner, way);
-                field.prefetch_beside(&corner, way);
+                for from in [&corner, &nowhere] {
+                    field.prefetch_way(from, way);
+                    field.prefetch_beside(from, way);
+                }
             }
         }
     }

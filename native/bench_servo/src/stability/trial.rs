@@ -5,7 +5,7 @@ use crate::stability::plain_wall::PlainWall;
 use crate::stability::theory::Plant;
 use contact::{Model, SurfaceWalk};
 use devices::{Device, Hand, Mechanism, SimulatedDevice};
-use servo::{Servo, Settings, Stage, Walls};
+use servo::{Servo, Settings, Walls};
 use std::error::Error;
 use std::sync::Arc;
 
@@ -165,8 +165,6 @@ impl Trial<'_> {
         let grid = Arc::clone(&self.ground.grid);
         let settings = Settings { stiffness, max_force: MOST_FORCE, ..Settings::default() };
         let mut servo = Servo::new(device, model, grid, self.ground.frame, &settings)?;
-        // The servo's own rate is 1 kHz: at 250 Hz it would take every tick for four, three of them missed.
-        servo.switch_off(Stage::Late);
         servo.set_device_damping(self.plant().damping);
         servo.set_passivity_control(self.controls);
         if let Wall::Mixed(at) = self.wall {

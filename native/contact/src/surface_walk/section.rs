@@ -27,9 +27,8 @@ impl<S: Sample> Walk<'_, '_, S> {
     #[inline(always)]
     pub(super) fn follow_section(&mut self, counters: &mut Counters) {
         let from = &self.proxy.position;
-        let [columns, rows, _] = self.search.target.relative_to(from.column, from.row, 0.0);
-        let longer = (columns - from.u).abs().max((rows - from.v).abs());
-        if !(longer >= SHORTEST) {
+        let [east, south] = self.search.way_from(from);
+        if !(east.abs().max(south.abs()) >= SHORTEST) {
             return;
         }
         let section = Section::new(self.search.field, from, &self.search.target);
@@ -40,7 +39,7 @@ impl<S: Sample> Walk<'_, '_, S> {
             return;
         }
         let length = section.length();
-        let way = self.search.weights.squared([columns - from.u, rows - from.v, 0.0]);
+        let way = self.search.weights.squared([east, south, 0.0]);
         // Squared lengths of a column of the way, against those of a metre of height.
         let ahead = way / (length * length) / self.search.up;
         let gentle = STEEPEST * STEEPEST * ahead;

@@ -189,3 +189,22 @@ fn a_hand_at_rest_is_given_nothing() {
     assert_eq!(push(1e-4), 1);
     assert_eq!(push(1e-4), 1);
 }
+
+#[test]
+fn a_way_beyond_all_numbers_does_not_blind_the_observer() {
+    let mut passivity = Passivity::new(1.0, 0);
+    let mut tick = |x: f64| {
+        let (hand, force) = ([x, 0.0, 0.0], [1.0, 0.0, 0.0]);
+        let coupling = Coupling { hand, force, stretch: 0.0, stiffness: 500.0, dt: 1e-3 };
+        passivity.tick(&coupling);
+        passivity.sent(force);
+        passivity.active_ticks()
+    };
+    tick(0.0);
+    tick(1e200);
+    tick(0.0);
+    let before = tick(0.0);
+    // Pushed along, as above.
+    let after = (1..100).map(|step| tick(1e-4 * f64::from(step))).last();
+    assert!(after > Some(before + 90), "{after:?}");
+}

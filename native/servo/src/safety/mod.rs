@@ -40,6 +40,7 @@ use crate::{Fault, Settings};
 use errors::Tolerance;
 use gate::Gate;
 use host::HostWatch;
+use late::LateWatch;
 use slew::Slew;
 use speed::SpeedWatch;
 use stages::Stages;
@@ -82,6 +83,7 @@ pub(crate) struct Safety {
     errors: Tolerance,
     speed: SpeedWatch,
     host: HostWatch,
+    late: LateWatch,
     gate: Gate,
     slew: Slew,
     trips: Trips,
@@ -106,6 +108,7 @@ impl Safety {
             errors: Tolerance::default(),
             speed: SpeedWatch::new(limits.max_speed),
             host: HostWatch::default(),
+            late: LateWatch::default(),
             gate: Gate::default(),
             slew: Slew::new(limits.max_slew, limits.max_force),
             trips: Trips::default(),
@@ -113,6 +116,11 @@ impl Safety {
             reasons: Reasons::default(),
             stages: Stages::default(),
         })
+    }
+
+    /// Deadlines passed without a tick.
+    pub(crate) fn miss(&mut self, ticks: u64) {
+        self.late.miss(ticks);
     }
 
     /// The device's state.
@@ -147,7 +155,7 @@ impl Safety {
 
     /// The host's and the servo's own lateness.
     fn watch_clock(&mut self, dt: f64) {
-        if late::is_late(dt) && self.stages.are_on(Stage::Late) {
+        if self.late.is_late() && self.stages.are_on(Stage::Late) {
             self.close(Held::Late, late::CALM);
         }
         if self.host.is_stale(dt) && self.stages.are_on(Stage::Host) {
@@ -248,6 +256,9 @@ impl Safety {
         self.slew.cut();
         self.speed.forget();
         self.host.begin();
+        // The clock stands until the next tick, and what was plugged may be another device by then.
+        self.late = LateWatch::default();
+        self.errors = Tolerance::default();
         if !self.stages.are_on(Stage::LastZero) {
             return;
         }

@@ -57,7 +57,7 @@ pub enum Warning {
     /// The passivity observer found the spring active.
     #[error(
         "The spring gave the hand more energy than it took for {seconds:.2} s: hold the handle more \
-         firmly, turn passivity control on, or lower the stiffness."
+         firmly, have passivity control on, or lower the stiffness."
     )]
     Active {
         /// s.
