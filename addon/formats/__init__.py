@@ -8,8 +8,9 @@ from .elevation_grid import ElevationGrid
 from .format_error import FormatError
 from .georeference import Georeference
 from .megdr import read_megdr
+from .region import Region
 
-__all__ = ["SUFFIXES", "ElevationGrid", "FormatError", "Georeference", "read_grid"]
+__all__ = ["SUFFIXES", "ElevationGrid", "FormatError", "Georeference", "Region", "read_grid"]
 
 SUFFIXES = (".lbl", ".img")
 """Endings of the files that ``read_grid`` takes."""

@@ -1,61 +1,100 @@
-"""Where on its body a grid lies.
+"""Where on its body a grid lies, as the doubles of its header.
 
-Samples are at cell centres, so column 0 is half a cell east of the westernmost longitude and row 0
-half a cell south of the maximum latitude. Geometry comes from the resolution and the limits: the
-``MAP_SCALE`` of planetary labels is rounded.
+A sample is a place: the centre of its cell where the file speaks of cells. Readers that find the corner
+of a cell, or its outer limits, work out the centre; ``registration`` remembers what the file spoke of.
 """
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import Literal
+
+from .ellipsoid import Ellipsoid
+from .projections import Coordinates, Projection
+from .region import Region
+
+Registration = Literal["cells", "points"]
+"""Whether the file gives a height for a whole cell (``cells``: its limits are half a cell beyond the outer
+samples) or for a point (``points``: its limits are the outer samples)."""
+
+LatitudeKind = Literal["planetocentric", "planetographic"]
+"""Planetocentric: the angle at the body's centre; planetographic (on Earth "geodetic"): of the vertical."""
 
 
 @dataclass(frozen=True)
 class Georeference:
-    """The place of a simple cylindrical grid on its body."""
+    """The place of a grid on its body."""
 
     body: str
-    radius: float
-    """Of the body's sphere, metres."""
-    projection: str
-    westernmost_longitude: float
-    """Degrees east, at the outer edge of column 0's cell."""
-    easternmost_longitude: float
-    """Degrees east, more than ``westernmost_longitude`` and at most 360 degrees from it."""
-    minimum_latitude: float
-    """Degrees north, at the outer edge of the last row's cell."""
-    maximum_latitude: float
-    """Degrees north, at the outer edge of row 0's cell."""
-    pixels_per_degree: float
+    """``Mars``, ``Earth``, ``Moon`` ...; empty where the file does not say."""
+    ellipsoid: Ellipsoid
+    projection: Projection
+    first_x: float
+    """The map's own coordinate of column 0 (degrees east, or metres)."""
+    first_y: float
+    """The map's own coordinate of row 0 (degrees north, or metres)."""
+    step_x: float
+    """From one column to the next, above 0."""
+    step_y: float
+    """From one row to the next southward, above 0."""
     vertical_reference: str
-    """What elevation 0 means."""
+    """What elevation 0 means: areoid, reference sphere, a datum's name."""
     vertical_unit: str = "m"
+    """Of the samples in the file; elevations are given in metres whatever it is."""
+    latitude_kind: LatitudeKind = "planetocentric"
+    registration: Registration = "cells"
+    frame: str = ""
+    """Datum and coordinate system in the file's own words, where it has some."""
 
-    @property
-    def spans_the_globe(self) -> bool:
-        """Whether the map has neither an east nor a west edge."""
-        return math.isclose(self.easternmost_longitude - self.westernmost_longitude, 360.0)
+    def spans_the_globe(self, columns: int) -> bool:
+        """Whether so many columns go once around: the map then has neither an east nor a west edge."""
+        return self.projection.in_degrees and math.isclose(columns * self.step_x, 360.0, rel_tol=1e-9)
 
-    @property
-    def cell_height(self) -> float:
-        """Metres between neighbouring rows."""
-        return math.pi * self.radius / (180.0 * self.pixels_per_degree)
+    def cell_size(self, rows: int) -> tuple[float, float]:
+        """Metres between neighbouring columns and between neighbouring rows.
 
-    @property
-    def cell_width(self) -> float:
-        """Metres between neighbouring columns along the map's centre latitude."""
-        centre = (self.minimum_latitude + self.maximum_latitude) / 2.0
-        return self.cell_height * math.cos(math.radians(centre))
+        A degree of longitude shrinks toward the poles: taken at the middle of the map's rows, so that
+        slopes there are true.
+        """
+        if not self.projection.in_degrees:
+            return self.step_x, self.step_y
+        middle = self.first_y - (rows - 1) / 2.0 * self.step_y
+        return (
+            self.step_x * self.ellipsoid.degree_of_longitude(middle),
+            self.step_y * self.ellipsoid.degree_of_latitude(middle),
+        )
 
-    def longitude(self, column: float) -> float:
-        """Degrees east, 0 up to 360, of a column."""
-        return (self.westernmost_longitude + (column + 0.5) / self.pixels_per_degree) % 360.0
+    def x(self, column: float) -> float:
+        """The map's own coordinate of a column: degrees east of any turn, or metres."""
+        return self.first_x + column * self.step_x
 
-    def latitude(self, row: float) -> float:
-        """Degrees north of a row."""
-        return self.maximum_latitude - (row + 0.5) / self.pixels_per_degree
+    def y(self, row: float) -> float:
+        """The map's own coordinate of a row: degrees north, or metres."""
+        return self.first_y - row * self.step_y
 
-    def longitude_latitude(self, east: float, north: float) -> tuple[float, float]:
-        """Degrees east and north of a place in the terrain frame (metres from sample (0, 0))."""
-        return self.longitude(east / self.cell_width), self.latitude(-north / self.cell_height)
+    def longitude_latitude(self, column: float, row: float) -> Coordinates | None:
+        """Degrees east, 0 up to 360, and north of a place in the grid; ``None`` where nobody can tell."""
+        place = self.projection.inverse(self.x(column), self.y(row), self.ellipsoid)
+        return None if place is None else (place[0] % 360.0, place[1])
+
+    def column_row(self, longitude: float, latitude: float, columns: int) -> tuple[float, float] | None:
+        """Fractional column and row of a place (degrees east of any turn, degrees north).
+
+        ``None`` where the projection does not show it; else it may still lie beside the map.
+
+        Args:
+            columns: of the grid; the turn of longitude that is on or nearest to the map is meant.
+        """
+        place = self.projection.forward(longitude, latitude, self.ellipsoid)
+        if place is None:
+            return None
+        x, y = place
+        if self.projection.in_degrees:
+            middle = self.x((columns - 1) / 2.0)
+            x = middle + (x - middle + 180.0) % 360.0 - 180.0
+        return (x - self.first_x) / self.step_x, (self.first_y - y) / self.step_y
+
+    def cut(self, region: Region) -> Georeference:
+        """The place of a region of the grid."""
+        return replace(self, first_x=self.x(region.first_column), first_y=self.y(region.first_row))

@@ -12,10 +12,12 @@ from typing import Literal
 from proxygraph import GridError, GridLayout
 
 from .elevation_grid import ElevationGrid
+from .ellipsoid import Ellipsoid
 from .format_error import FormatError
 from .georeference import Georeference
 from .label import MAXIMUM_COUNT, Label, Units, read_label
 from .partner_file import file_in_any_case, is_file
+from .projections import Geographic
 
 Sample = Literal["i16", "u16"]
 ByteOrder = Literal["big", "little"]
@@ -50,11 +52,20 @@ def read_megdr(path: Path) -> ElevationGrid:
     """Read a label, given it or its data file."""
     label = read_label(_label_path(path))
     data_path, offset = _data_place(label)
-    georeference = _georeference(label)
-    layout = _layout(label, georeference, offset)
+    rows, columns = label.whole("IMAGE", "LINES"), label.whole("IMAGE", "LINE_SAMPLES")
+    georeference = _georeference(label, rows, columns)
+    layout = _layout(label, georeference, rows, columns, offset)
     _check_length(data_path, label, layout)
     synthetic = _is_synthetic(label)
-    return ElevationGrid(data_path, layout, georeference, _title(label, georeference, synthetic), synthetic)
+    return ElevationGrid(
+        path=label.path,
+        data_path=data_path,
+        layout=layout,
+        georeference=georeference,
+        title=_title(label, georeference, synthetic),
+        format="MOLA (PDS3)",
+        synthetic=synthetic,
+    )
 
 
 def _label_path(path: Path) -> Path:
@@ -132,7 +143,7 @@ def _image_pointer(label: Label) -> tuple[str, int]:
     )
 
 
-def _georeference(label: Label) -> Georeference:
+def _georeference(label: Label, rows: int, columns: int) -> Georeference:
     """Build the geometry from resolution and limits (``MAP_SCALE`` is rounded)."""
     projection = label.text("IMAGE_MAP_PROJECTION", "MAP_PROJECTION_TYPE").replace("_", " ").upper()
     if projection != PROJECTION:
@@ -161,15 +172,17 @@ def _georeference(label: Label) -> Georeference:
         raise label.wrong(
             LATITUDE_LIMITS, f"{south} and {north}", "south < north within +-90", "Mend the label."
         )
+    resolution = _positive(label, "MAP_RESOLUTION", PIXELS_PER_DEGREE)
+    _check_size(label, rows, columns, (east - west) * resolution, (north - south) * resolution)
+    step = 1.0 / resolution
     return Georeference(
         body=label.text("TARGET_NAME").title(),
-        radius=_positive(label, "A_AXIS_RADIUS", KILOMETRES),
-        projection=projection,
-        westernmost_longitude=west,
-        easternmost_longitude=east,
-        minimum_latitude=south,
-        maximum_latitude=north,
-        pixels_per_degree=_positive(label, "MAP_RESOLUTION", PIXELS_PER_DEGREE),
+        ellipsoid=Ellipsoid.sphere(_positive(label, "A_AXIS_RADIUS", KILOMETRES)),
+        projection=Geographic(),
+        first_x=west + step / 2.0,
+        first_y=north - step / 2.0,
+        step_x=step,
+        step_y=step,
         vertical_reference=_vertical_reference(label),
     )
 
@@ -189,22 +202,21 @@ def _vertical_reference(label: Label) -> str:
     return "areoid" if label.text("TARGET_NAME").upper() == "MARS" else "reference surface"
 
 
-def _layout(label: Label, georeference: Georeference, offset: int) -> GridLayout:
+def _layout(label: Label, georeference: Georeference, rows: int, columns: int, offset: int) -> GridLayout:
     """Say where the samples lie and what they mean."""
     sample, byte_order = _sample(label)
     unit = label.text("IMAGE", "UNIT", default="METER").upper()
     if unit not in METRES:
         raise label.wrong("UNIT", unit, " or ".join(METRES), "Only heights in metres are read yet.")
-    rows, columns = label.whole("IMAGE", "LINES"), label.whole("IMAGE", "LINE_SAMPLES")
-    _check_size(label, georeference, rows, columns)
+    cell_width, cell_height = georeference.cell_size(rows)
     prefix = label.whole("IMAGE", "LINE_PREFIX_BYTES", default=0)
     suffix = label.whole("IMAGE", "LINE_SUFFIX_BYTES", default=0)
     try:
         return GridLayout(
             rows,
             columns,
-            cell_width=georeference.cell_width,
-            cell_height=georeference.cell_height,
+            cell_width=cell_width,
+            cell_height=cell_height,
             sample=sample,
             byte_order=byte_order,
             offset=offset + prefix,
@@ -212,7 +224,7 @@ def _layout(label: Label, georeference: Georeference, offset: int) -> GridLayout
             scale=label.number("IMAGE", "SCALING_FACTOR", units=METRES, default=1.0),
             value_offset=label.number("IMAGE", "OFFSET", units=METRES, default=0.0),
             void=label.number("IMAGE", "MISSING_CONSTANT", default=None),
-            wraps=georeference.spans_the_globe,
+            wraps=georeference.spans_the_globe(columns),
         )
     except (GridError, OverflowError) as error:  # the second for what no 64 bits hold
         raise label.wrong("IMAGE", error, "a grid that can be touched", "Mend the label.") from error
@@ -237,14 +249,15 @@ def _sample(label: Label) -> tuple[Sample, ByteOrder]:
     return SAMPLE_TYPES[sample_type]
 
 
-def _check_size(label: Label, georeference: Georeference, rows: int, columns: int) -> None:
-    """Refuse sizes that make no surface, or that contradict the limits: places would be wrong."""
+def _check_size(label: Label, rows: int, columns: int, across: float, down: float) -> None:
+    """Refuse sizes that make no surface, or that contradict the limits: places would be wrong.
+
+    Args:
+        across, down: columns and rows that resolution and limits speak of.
+    """
     for field, count in (("LINES", rows), ("LINE_SAMPLES", columns)):
         if count < 2:
             raise label.wrong(field, count, "at least 2", "A single line of samples has no surface to touch.")
-    resolution = georeference.pixels_per_degree
-    across = (georeference.easternmost_longitude - georeference.westernmost_longitude) * resolution
-    down = (georeference.maximum_latitude - georeference.minimum_latitude) * resolution
     for field, count, degrees in (("LINE_SAMPLES", columns, across), ("LINES", rows, down)):
         if abs(count - degrees) > 0.5:
             raise label.wrong(

@@ -76,6 +76,11 @@ def nearest_on_map(layout: GridLayout, place: Point) -> Point:
     return min(max(east, 0.0), width), max(min(north, 0.0), -height), up
 
 
+def place_in_grid(layout: GridLayout, east: float, north: float) -> tuple[float, float]:
+    """Fractional column and row of a terrain place."""
+    return east / layout.cell_width, -north / layout.cell_height
+
+
 def is_on_map(layout: GridLayout, east: float, north: float) -> bool:
     """Whether a terrain place is over the map; east runs on where the map wraps."""
     width, height = map_size(layout)

@@ -6,17 +6,18 @@ ID properties keep doubles, where Blender's own float properties have 32 bits; b
 
 from __future__ import annotations
 
-import math
 import os
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, fields
+from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import Any
 
 import bpy
-from proxygraph import GridLayout
 
-from ..formats import ElevationGrid, Georeference
+from ..formats import ElevationGrid
+from ..formats.decoding import Decoding
+from ..formats.georeference_properties import finite, georeference_from, georeference_properties, restored
+from ..formats.layout_properties import layout_from, layout_properties
 from .frame import TerrainFrame
 
 KEY = "haptic_terrain_grid"
@@ -24,8 +25,6 @@ KEY = "haptic_terrain_grid"
 
 SOURCE, SOURCE_BESIDE = "source", "source_beside"
 """Where the data file is: its whole path, and (once there is one) its path from the .blend file's folder."""
-
-Kept = TypeVar("Kept", Georeference, TerrainFrame)
 
 
 class KeptError(ValueError):
@@ -46,26 +45,17 @@ class KeptTerrain:
 
 def keep(terrain: bpy.types.Object, kept: KeptTerrain) -> None:
     """Write what the object has to remember."""
-    grid, layout = kept.grid, kept.grid.layout
+    grid = kept.grid
     terrain[KEY] = {
         "title": grid.title,
         "synthetic": grid.synthetic,
         SOURCE: str(grid.data_path),
-        "layout": {
-            "rows": str(layout.rows),
-            "columns": str(layout.columns),
-            "cell_width": layout.cell_width,
-            "cell_height": layout.cell_height,
-            "sample": layout.sample,
-            "byte_order": layout.byte_order,
-            "offset": str(layout.offset),
-            "row_stride": str(layout.row_stride),
-            "scale": layout.scale,
-            "value_offset": layout.value_offset,
-            "wraps": layout.wraps,
-            **({} if layout.void is None else {"void": layout.void}),
-        },
-        "georeference": asdict(grid.georeference),
+        "path": str(grid.path),
+        "format": grid.format,
+        "notes": "\n".join(grid.notes),
+        "layout": layout_properties(grid.layout),
+        "georeference": georeference_properties(grid.georeference),
+        **({} if grid.decoding is None else {"decoding": asdict(grid.decoding)}),
         "frame": {name: value for name, value in asdict(kept.frame).items() if value is not None},
         "vertex_budget": kept.vertex_budget,
         "minimum": kept.minimum,
@@ -108,18 +98,23 @@ def remember_places(blend: Path) -> None:
 
 
 def _recall(terrain: bpy.types.Object, kept: Mapping[str, Any]) -> KeptTerrain:
+    decoding = kept.get("decoding")
     grid = ElevationGrid(
+        path=Path(kept["path"]),
         data_path=_data_path(terrain, kept),
-        layout=_layout(kept["layout"]),
-        georeference=_restored(Georeference, kept["georeference"]),
+        layout=layout_from(kept["layout"]),
+        georeference=georeference_from(kept["georeference"].to_dict()),
         title=str(kept["title"]),
+        format=str(kept["format"]),
         synthetic=bool(kept["synthetic"]),
+        decoding=None if decoding is None else Decoding(**decoding.to_dict()),
+        notes=tuple(str(kept["notes"]).splitlines()),
     )
-    frame = _restored(TerrainFrame, {"turn": None, **kept["frame"].to_dict()})
+    frame = restored(TerrainFrame, {"turn": None, **kept["frame"].to_dict()})
     if not (frame.units_per_metre > 0.0 and frame.exaggeration > 0.0):
         raise ValueError("a scale is not above 0")
     return KeptTerrain(
-        grid, frame, int(kept["vertex_budget"]), _finite(kept["minimum"]), _finite(kept["maximum"])
+        grid, frame, int(kept["vertex_budget"]), finite(kept["minimum"]), finite(kept["maximum"])
     )
 
 
@@ -131,38 +126,3 @@ def _data_path(terrain: bpy.types.Object, kept: Mapping[str, Any]) -> Path:
         return source
     moved = Path(bpy.path.abspath(f"//{beside}", library=terrain.library)).resolve()
     return moved if moved.is_file() else source
-
-
-def _restored(kind: type[Kept], kept: Any) -> Kept:
-    """Make a dataclass of numbers and texts again; every number must be finite."""
-    values = {field.name: kept[field.name] for field in fields(kind)}
-    numbers = {field.name for field in fields(kind) if str(field.type).startswith("float")}
-    checked: dict[str, Any] = {
-        name: _finite(value) if name in numbers and value is not None else value
-        for name, value in values.items()
-    }
-    return kind(**checked)
-
-
-def _finite(value: Any) -> float:
-    number = float(value)
-    if not math.isfinite(number):
-        raise ValueError(f"{number} is not a finite number")
-    return number
-
-
-def _layout(kept: Mapping[str, Any]) -> GridLayout:
-    return GridLayout(
-        int(kept["rows"]),
-        int(kept["columns"]),
-        cell_width=kept["cell_width"],
-        cell_height=kept["cell_height"],
-        sample=kept["sample"],
-        byte_order=kept["byte_order"],
-        offset=int(kept["offset"]),
-        row_stride=int(kept["row_stride"]),
-        scale=kept["scale"],
-        value_offset=kept["value_offset"],
-        void=kept.get("void"),
-        wraps=bool(kept["wraps"]),
-    )

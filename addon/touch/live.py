@@ -21,10 +21,10 @@ class Readout:
 
     mode: str
     in_contact: bool
-    longitude: float
-    """Degrees east."""
-    latitude: float
-    """Degrees north."""
+    coordinates: tuple[float, float] | None
+    """Degrees east and north; ``None`` where the grid's projection is not known."""
+    own: tuple[float, float]
+    """In the map's own coordinates, degrees or metres east and north."""
     on_map: bool
     """Whether the cursor is over the map; beside it there is no longitude or latitude to speak of."""
     elevation: float | None

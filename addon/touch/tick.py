@@ -12,7 +12,7 @@ import bpy
 from mathutils import Vector
 from proxygraph import SessionError, State, Window
 
-from ..terrain.frame import is_on_map
+from ..terrain.frame import is_on_map, place_in_grid
 from ..terrain.view import redraw
 from .control import keep_control
 from .cursor import SIZE, cursor_object, show_cursor
@@ -95,12 +95,13 @@ def _show(touch: Touch, scene: bpy.types.Scene, placement: Placement, state: Sta
 def _readout(touch: Touch, state: State) -> Readout:
     east, north, _up = state.proxy
     statistics = touch.session.statistics()
-    longitude, latitude = touch.georeference.longitude_latitude(east, north)
+    column, row = place_in_grid(touch.grid.layout, east, north)
+    coordinates = touch.georeference.longitude_latitude(column, row)
     return Readout(
         mode=state.mode,
         in_contact=state.in_contact,
-        longitude=longitude,
-        latitude=latitude,
+        coordinates=coordinates,
+        own=(touch.georeference.x(column), touch.georeference.y(row)),
         on_map=is_on_map(touch.grid.layout, east, north),
         elevation=touch.grid.elevation_at(east, north),
         force=math.hypot(*state.force),

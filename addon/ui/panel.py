@@ -183,10 +183,14 @@ def servo_lines(readout: Readout) -> list[tuple[str, str]]:
 
 def _place_lines(readout: Readout, exaggeration: float) -> list[tuple[str, str]]:
     elevation = "no data" if readout.elevation is None else f"{readout.elevation:,.0f} m (x{exaggeration:g})"
-    north_or_south = "N" if readout.latitude >= 0.0 else "S"
+    if readout.coordinates is None:
+        x, y = readout.own
+        return [("East", f"{x:,.0f} m"), ("North", f"{y:,.0f} m"), ("Elevation", elevation)]
+    longitude, latitude = readout.coordinates
+    north_or_south = "N" if latitude >= 0.0 else "S"
     return [
-        ("Longitude", f"{readout.longitude:.3f}\N{DEGREE SIGN} E"),
-        ("Latitude", f"{abs(readout.latitude):.3f}\N{DEGREE SIGN} {north_or_south}"),
+        ("Longitude", f"{longitude:.3f}\N{DEGREE SIGN} E"),
+        ("Latitude", f"{abs(latitude):.3f}\N{DEGREE SIGN} {north_or_south}"),
         ("Elevation", elevation),
     ]
 

@@ -5,6 +5,7 @@ In the background Blender's timers never fire.
 
 from __future__ import annotations
 
+import math
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -105,8 +106,8 @@ def _follow(
 
 def _told(extension: Extension, seconds: float) -> str:
     readout = extension.live.live.touch.readout
-    north_or_south = "N" if readout.latitude >= 0.0 else "S"
-    where = f"{readout.longitude:6.1f} E {abs(readout.latitude):5.1f} {north_or_south}"
+    longitude, latitude = readout.coordinates or (math.nan, math.nan)
+    where = f"{longitude:6.1f} E {abs(latitude):5.1f} {'N' if latitude >= 0.0 else 'S'}"
     doing = f"touching, {readout.force:.2f} N" if readout.in_contact else "free"
     return f"  {seconds:4.1f} s  {where}  {doing}"
 

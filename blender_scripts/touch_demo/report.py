@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 import platform
 from collections.abc import Sequence
@@ -153,11 +154,11 @@ def processor() -> str:
 
 
 def _place(which: str, metres: float, cell: tuple[int, int], georeference: Any) -> Figures:
-    column, row = cell
+    longitude, latitude = georeference.longitude_latitude(*cell) or (math.nan, math.nan)
     return {
         f"grid_{which}_m": int(metres) if metres == int(metres) else metres,
-        f"grid_{which}_lat_deg": georeference.latitude(row),
-        f"grid_{which}_lon_e_deg": georeference.longitude(column),
+        f"grid_{which}_lat_deg": latitude,
+        f"grid_{which}_lon_e_deg": longitude,
     }
 
 

@@ -19,7 +19,7 @@ from touch_demo.live_session import LiveTouch, touch_live
 from touch_demo.picture import Frame, open_scene, render_picture, set_up_picture
 from touch_demo.replay import replay
 from touch_demo.report import report, table
-from touch_demo.tour import Tour, tour_of
+from touch_demo.tour import MapPlace, Tour, tour_of
 
 WORKSPACE = (0.16, 0.12, 0.12)
 """Metres: as wide as the hand's reach with common desktop devices."""
@@ -51,7 +51,7 @@ def stage(extension: Extension, grid_path: Path, preview_vertices: int, say: Cal
     _empty_scene()
     try:
         described = extension.formats.read_grid(grid_path)
-        tour = tour_of(described.georeference, synthetic=described.synthetic)
+        tour = tour_of(_map_place(described), synthetic=described.synthetic)
         say(f"Importing {grid_path.name}")
         bpy.ops.haptic_terrain.import_grid(
             filepath=str(grid_path.resolve()), vertex_budget=preview_vertices, exaggeration=tour.exaggeration
@@ -100,14 +100,27 @@ def _empty_scene() -> None:
         bpy.data.objects.remove(thing)
 
 
+def _map_place(grid: Any) -> MapPlace:
+    """Find the limits of a grid (the extension's ElevationGrid)."""
+    georeference, layout = grid.georeference, grid.layout
+    return MapPlace(
+        body=georeference.body,
+        west=georeference.x(-0.5),
+        east=georeference.x(layout.columns - 0.5),
+        south=georeference.y(layout.rows - 0.5),
+        north=georeference.y(-0.5),
+        spans_the_globe=layout.wraps,
+    )
+
+
 def _ground(extension: Extension, kept: Any, grid: Grid, extent: GridRange) -> Ground:
     georeference = kept.grid.georeference
     return Ground(
         laid=extension.workspace,
         grid=grid,
-        west=georeference.westernmost_longitude,
-        north=georeference.maximum_latitude,
-        cells_per_degree=georeference.pixels_per_degree,
+        west=georeference.x(-0.5),
+        north=georeference.y(-0.5),
+        cells_per_degree=1.0 / georeference.step_x,
         lowest=extent.minimum,
         highest=extent.maximum,
     )

@@ -3,24 +3,22 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Protocol
 
 PRESS, LIFT = 2.5, -2.0
 """How deep the hand presses, and how high it hovers (negative), millimetres of the workspace."""
 
 
-class MapPlace(Protocol):
-    """What a tour needs to know of a map (the extension's Georeference has it)."""
+@dataclass(frozen=True)
+class MapPlace:
+    """What a tour needs to know of a map; its limits are the outer edges, degrees or the map's metres."""
 
     body: str
-    westernmost_longitude: float
-    easternmost_longitude: float
-    minimum_latitude: float
-    maximum_latitude: float
-
-    @property
-    def spans_the_globe(self) -> bool:
-        """Whether the map has neither an east nor a west edge."""
+    west: float
+    east: float
+    south: float
+    north: float
+    spans_the_globe: bool
+    """Whether the map has neither an east nor a west edge."""
 
 
 @dataclass(frozen=True)
@@ -136,11 +134,11 @@ def tour_of(place: MapPlace, *, synthetic: bool) -> Tour:
 
 
 def _zigzag(place: MapPlace) -> Tour:
-    width = place.easternmost_longitude - place.westernmost_longitude
-    height = place.maximum_latitude - place.minimum_latitude
+    width = place.east - place.west
+    height = place.north - place.south
 
     def stop(right: float, up: float, press: float = PRESS) -> Stop:
-        return Stop(place.westernmost_longitude + right * width, place.minimum_latitude + up * height, press)
+        return Stop(place.west + right * width, place.south + up * height, press)
 
     middle = stop(0.5, 0.5)
     return Tour(

@@ -34,8 +34,33 @@ Vector = tuple[float, float, float]
 class GridError(ValueError):
     """A layout, a file or a buffer cannot be used as a grid; the text says what was found and expected."""
 
+class DecodeError(GridError):
+    """A file cannot be decoded; ``args`` are the field, what was found and what was expected."""
+
+class CancelledError(Exception):
+    """A long work was asked to end, and did; nothing of it is left."""
+
 class SessionError(RuntimeError):
     """A session was used in a state that does not allow the call (started twice, stepped while live)."""
+
+@final
+class Progress:
+    """How far a long work has come; every call may come from any thread."""
+
+    def __init__(self) -> None: ...
+    @property
+    def share(self) -> float:
+        """What is done, from 0 to 1."""
+    @property
+    def cancelled(self) -> bool: ...
+    def cancel(self) -> None:
+        """Ask the work to end as soon as it can; it then raises ``CancelledError``."""
+    def step(self, done: int, all: int) -> None:  # noqa: A002
+        """Tell that ``done`` of ``all`` steps are done.
+
+        Raises:
+            CancelledError: the work was asked to end.
+        """
 
 @final
 class GridLayout:

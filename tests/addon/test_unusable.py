@@ -160,7 +160,7 @@ def huge_rows(terrain: bpy.types.Object) -> None:
 
 
 def radius_in_words(terrain: bpy.types.Object) -> None:
-    terrain["haptic_terrain_grid"]["georeference"]["radius"] = "large"
+    terrain["haptic_terrain_grid"]["georeference"]["ellipsoid"]["semi_major"] = "large"
 
 
 def no_scale(terrain: bpy.types.Object) -> None:

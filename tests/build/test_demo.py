@@ -14,7 +14,7 @@ import pytest
 from proxygraph import Grid, GridLayout, Window
 from touch_demo.hand_path import SWIPE_CELLS_PER_UPDATE, Ground, HandPath, hand_path, windows
 from touch_demo.replay import MODELS, parts, replay
-from touch_demo.tour import MARS, SYNTHETIC, Tour, tour_of
+from touch_demo.tour import MARS, SYNTHETIC, MapPlace, Tour, tour_of
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -27,17 +27,9 @@ WORKSPACE = (0.16, 0.12, 0.12)
 EXAGGERATION = 15.0
 
 
-class Place:
-    """A map of a whole body."""
-
-    def __init__(self, body: str, west: float = 0.0, east: float = 360.0) -> None:
-        self.body = body
-        self.westernmost_longitude, self.easternmost_longitude = west, east
-        self.minimum_latitude, self.maximum_latitude = -90.0, 90.0
-
-    @property
-    def spans_the_globe(self) -> bool:
-        return self.easternmost_longitude - self.westernmost_longitude == 360.0
+def whole(body: str, west: float = 0.0, east: float = 360.0) -> MapPlace:
+    """A map from pole to pole."""
+    return MapPlace(body, west, east, south=-90.0, north=90.0, spans_the_globe=east - west == 360.0)
 
 
 @pytest.fixture(scope="module")
@@ -125,9 +117,9 @@ def test_tour_presses_lifts_and_presses_again(tour: Tour) -> None:
 
 
 def test_tour_follows_the_body() -> None:
-    assert tour_of(Place("Mars"), synthetic=False) is MARS
-    assert tour_of(Place("Anything"), synthetic=True) is SYNTHETIC
-    region = tour_of(Place("Mars", 10.0, 20.0), synthetic=False)
+    assert tour_of(whole("Mars"), synthetic=False) is MARS
+    assert tour_of(whole("Anything"), synthetic=True) is SYNTHETIC
+    region = tour_of(whole("Mars", 10.0, 20.0), synthetic=False)
     assert all(10.0 < stop.longitude < 20.0 for stop in region.stops)
 
 

@@ -2,6 +2,7 @@
 //! units and errors, is `proxygraph.pyi`.
 
 mod choice;
+mod decode;
 mod devices;
 mod errors;
 mod grid;
@@ -23,6 +24,8 @@ mod module {
     use super::*;
     #[pymodule_export]
     use crate::choice::model_descriptions;
+    #[pymodule_export]
+    use crate::decode::{CancelledError, DecodeError, Progress};
     #[pymodule_export]
     use crate::devices::{ScriptedDevice, SimulatedDevice};
     #[pymodule_export]

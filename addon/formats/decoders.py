@@ -1,0 +1,18 @@
+"""Every decoder by its name: from a file to a grid in memory."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+from proxygraph import Grid, GridLayout, Progress
+
+from .decoding import Decoding
+
+Decoder = Callable[[Path, GridLayout, Decoding, Progress | None], Grid]
+"""Takes the data file, the packed layout that is wanted, the decoding, and where to tell progress.
+
+Raises ``DecodeError`` (field, found, expected), ``GridError``, ``OSError`` or ``CancelledError``.
+"""
+
+DECODERS: dict[str, Decoder] = {}

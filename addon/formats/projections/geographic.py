@@ -1,0 +1,25 @@
+"""Longitude and latitude themselves ("simple cylindrical", "plate carree" in degrees)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from ..ellipsoid import Ellipsoid
+from .projection import Coordinates
+
+
+@dataclass(frozen=True)
+class Geographic:
+    """The map's coordinates are degrees."""
+
+    name: ClassVar[str] = "longitude and latitude"
+    in_degrees: ClassVar[bool] = True
+
+    def forward(self, longitude: float, latitude: float, ellipsoid: Ellipsoid) -> Coordinates | None:
+        """Degrees, as they are."""
+        return longitude, latitude
+
+    def inverse(self, x: float, y: float, ellipsoid: Ellipsoid) -> Coordinates | None:
+        """Degrees, as they are."""
+        return (x, y) if -90.0 <= y <= 90.0 else None

@@ -1,0 +1,131 @@
+//! Where decoded samples go: memory, or a file that is mapped like any other grid.
+
+use crate::error::DecodeError;
+use memmap2::MmapMut;
+use std::fs::{self, OpenOptions};
+use std::path::{Path, PathBuf};
+use surface::{Grid, GridLayout};
+
+/// The bytes of a grid in the making, as its layout has them.
+pub struct Target {
+    layout: GridLayout,
+    bytes: Bytes,
+}
+
+enum Bytes {
+    Memory(Vec<u8>),
+    File { mapping: MmapMut, unfinished: Unfinished, path: PathBuf },
+}
+
+/// A file that is removed unless it is finished: a cache that is half written would be believed.
+struct Unfinished(PathBuf);
+
+impl Drop for Unfinished {
+    fn drop(&mut self) {
+        // Nothing is lost where it cannot be removed: only a finished file has the name that is read.
+        let _ = fs::remove_file(&self.0);
+    }
+}
+
+impl Target {
+    /// Room in memory.
+    pub fn memory(layout: GridLayout) -> Result<Self, DecodeError> {
+        let length = layout.byte_length() as usize;
+        let mut bytes = Vec::new();
+        bytes.try_reserve_exact(length).map_err(|_| {
+            DecodeError::wrong(
+                "memory",
+                format!("no room for {length} bytes"),
+                "enough free memory",
+            )
+        })?;
+        bytes.resize(length, 0);
+        Ok(Self { layout, bytes: Bytes::Memory(bytes) })
+    }
+
+    /// Room on the disk: `path` appears when everything is written, or not at all.
+    pub fn file(layout: GridLayout, path: &Path) -> Result<Self, DecodeError> {
+        let mut part = path.as_os_str().to_owned();
+        part.push(format!(".{}.part", std::process::id()));
+        let unfinished = Unfinished(PathBuf::from(part));
+        let file = OpenOptions::new()
+            .read(true)
+            .write(true)
+            .create(true)
+            .truncate(true)
+            .open(&unfinished.0)?;
+        file.set_len(layout.byte_length())?;
+        // SAFETY: the file was made here under a name of this process; nobody else cuts it.
+        let mapping = unsafe { MmapMut::map_mut(&file)? };
+        Ok(Self { layout, bytes: Bytes::File { mapping, unfinished, path: path.to_owned() } })
+    }
+
+    /// The layout that the bytes follow.
+    pub fn layout(&self) -> &GridLayout {
+        &self.layout
+    }
+
+    /// The bytes of a row, from its first sample to its last.
+    ///
+    /// # Panics
+    /// Where the layout has no such row.
+    pub fn row(&mut self, row: u32) -> &mut [u8] {
+        assert!(row < self.layout.rows(), "no row {row}");
+        let first = self.layout.offset() + u64::from(row) * self.layout.row_stride();
+        let length = self.layout.columns() as usize * self.layout.sample().bytes();
+        &mut self.bytes_mut()[first as usize..][..length]
+    }
+
+    /// The finished grid.
+    pub fn finish(self) -> Result<Grid, DecodeError> {
+        match self.bytes {
+            Bytes::Memory(bytes) => Ok(Grid::from_vec(bytes, self.layout)?),
+            Bytes::File { mapping, unfinished, path } => {
+                mapping.flush()?;
+                drop(mapping);
+                fs::rename(&unfinished.0, &path)?;
+                Ok(Grid::open(&path, self.layout)?)
+            }
+        }
+    }
+
+    fn bytes_mut(&mut self) -> &mut [u8] {
+        match &mut self.bytes {
+            Bytes::Memory(bytes) => bytes,
+            Bytes::File { mapping, .. } => mapping,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use surface::{ByteOrder, SampleType};
+
+    fn layout() -> GridLayout {
+        GridLayout::packed(2, 3, 1.0, 1.0, SampleType::I16, ByteOrder::Little).unwrap()
+    }
+
+    fn fill(mut target: Target) -> Grid {
+        target.row(0).copy_from_slice(&[1, 0, 2, 0, 3, 0]);
+        target.row(1).copy_from_slice(&[4, 0, 5, 0, 6, 0]);
+        target.finish().unwrap()
+    }
+
+    #[test]
+    fn memory_and_file_give_the_same_grid() {
+        let folder = std::env::temp_dir().join(format!("decode-target-{}", std::process::id()));
+        fs::create_dir_all(&folder).unwrap();
+        let path = folder.join("grid");
+        for target in [Target::memory(layout()).unwrap(), Target::file(layout(), &path).unwrap()] {
+            let grid = fill(target);
+            assert_eq!(grid.elevation(2, 0), Some(3.0));
+            assert_eq!(grid.elevation(0, 1), Some(4.0));
+        }
+        drop(Target::file(layout(), &folder.join("unfinished")).unwrap());
+        let left: Vec<_> =
+            fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().file_name()).collect();
+        assert_eq!(left, ["grid"]);
+        fs::remove_dir_all(&folder).unwrap();
+    }
+}

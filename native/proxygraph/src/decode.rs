@@ -1,0 +1,71 @@
+//! Decoders: what they share.
+
+use crate::errors::grid_error;
+use pyo3::create_exception;
+use pyo3::exceptions::PyException;
+use pyo3::prelude::*;
+use std::sync::Arc;
+
+create_exception!(
+    proxygraph,
+    DecodeError,
+    crate::errors::GridError,
+    "A file cannot be decoded; its arguments are the field, what was found and what was expected."
+);
+create_exception!(
+    proxygraph,
+    CancelledError,
+    PyException,
+    "A long work was asked to end, and did."
+);
+
+/// How far a long work has come.
+#[pyclass(frozen, module = "proxygraph")]
+#[derive(Clone, Default)]
+pub struct Progress {
+    progress: Arc<decode::Progress>,
+}
+
+impl Progress {
+    pub fn shared(&self) -> &decode::Progress {
+        &self.progress
+    }
+}
+
+#[pymethods]
+impl Progress {
+    #[new]
+    fn new() -> Self {
+        Self::default()
+    }
+
+    #[getter]
+    fn share(&self) -> f64 {
+        self.progress.share()
+    }
+
+    #[getter]
+    fn cancelled(&self) -> bool {
+        self.progress.is_cancelled()
+    }
+
+    fn cancel(&self) {
+        self.progress.cancel();
+    }
+
+    fn step(&self, done: u64, all: u64) -> PyResult<()> {
+        self.progress.step(done, all).map_err(decode_refusal)
+    }
+}
+
+/// What a decoder says, as the contract's exceptions.
+pub fn decode_refusal(error: decode::DecodeError) -> PyErr {
+    match error {
+        decode::DecodeError::Wrong { field, found, expected } => {
+            DecodeError::new_err((field, found, expected))
+        }
+        decode::DecodeError::File(error) => error.into(),
+        decode::DecodeError::Grid(error) => grid_error(error),
+        decode::DecodeError::Cancelled => CancelledError::new_err("cancelled"),
+    }
+}
