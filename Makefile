@@ -6,6 +6,7 @@
 #   make bench-contact-large KEEP=1    leave the large synthetic grids on the disk
 #   make demo BLENDER=path    run the demo in this Blender (4.2 to 5.2) instead of the bpy module
 #   make test ARGS='-k ...'   hand arguments to pytest
+#   make bench-servo ARGS='--seconds 5'    measure lateness for less than 30 s by condition
 #   make test BPY=4.2.23      test with another release of the bpy module (one for this Python)
 
 SHELL := bash
@@ -63,7 +64,7 @@ unexport PYTHONPATH PYTHONHOME
 help: ## Show what can be made
 	@echo "Haptic Terrain: touch planetary terrain in Blender"
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "  make %-20s %s\n", $$1, $$2 }' Makefile
-	@echo "Options: PYTHON=path, GRID=path for demo and bench, KEEP=1 for bench-contact-large, BLENDER=path for demo, ARGS='...' for test, BPY=version."
+	@echo "Options: PYTHON=path, GRID=path for demo and bench, KEEP=1 for bench-contact-large, BLENDER=path for demo, ARGS='...' for test and bench-servo, BPY=version."
 
 # ---------------------------------------------------------------- set-up
 
@@ -181,7 +182,7 @@ bench-contact-large: cargo ## The same walk on 2 and 10 thousand million triangl
 bench-servo: cargo $(PACKAGES) ## Measure the servo: stability in closed loop, faults, load, lateness
 	@mkdir -p $(BENCH)
 	@cargo run --quiet --release --manifest-path native/Cargo.toml --package servo_bench -- --output $(BENCH) \
-		--mesh "$(BIN)/python tests/bench/build_meshes.py"
+		--mesh "$(BIN)/python tests/bench/build_meshes.py" $(ARGS)
 	@$(BIN)/python tests/bench/draw_stability.py $(BENCH)/servo.json $(BENCH)/stability.png
 
 # ---------------------------------------------------------------- the extension

@@ -25,6 +25,7 @@ HELD = {
     "speed": "Hand was too fast",
     "device": "Device failed",
     "not_finite": "Not a number",
+    "below": "Hand is under the ground",
 }
 """Why the force is away, short enough for a line; the panel *Safety* has the sentences."""
 

@@ -28,7 +28,11 @@ def model_descriptions() -> dict[str, str]:
 SampleType = Literal["i16", "u16", "i32", "f32", "f64"]
 ByteOrder = Literal["big", "little"]
 Feature = Literal["free", "face", "edge", "vertex"]
-Held = Literal["host", "late", "speed", "device", "not_finite"]
+Held = Literal["host", "late", "speed", "device", "not_finite", "below"]
+"""Why there is no force, or not yet all of it: ``host``, nobody looked at the session for ``stale_after``; ``late``,
+ticks were missed; ``speed``, the hand was faster than ``max_speed``; ``device``, the device failed and was forgiven;
+``not_finite``, a position or a force was no number; ``below``, the hand is under the ground and touch begins only
+from above: after a start, a new window or a long pause the proxy begins at the hand."""
 Vector = tuple[float, float, float]
 
 class GridError(ValueError):
@@ -297,7 +301,8 @@ class SimulatedDevice:
     """A hand: a mass on a muscle spring and a damper, following a target, pushed by the force.
 
     Args:
-        target: where the muscle pulls at first, and where the hand starts (workspace metres).
+        target: where the muscle pulls at first, and where the hand starts (workspace metres). Under the ground it
+            touches nothing until it has been above.
         mass: kilograms. muscle_stiffness: N/m. damping: N s/m. max_force: N.
     """
 
@@ -360,7 +365,7 @@ class State:
         """The hand in the terrain frame: the haptic interface point."""
     @property
     def proxy(self) -> Vector:
-        """Terrain frame."""
+        """Terrain frame; of ``virtual_proxy`` the sphere's centre, which lies above the ground."""
     @property
     def feature(self) -> Feature: ...
     @property
@@ -481,7 +486,7 @@ class Session:
         grid: what is touched. device: is taken over; a device serves one session.
         window: where the workspace lies.
         stiffness: of the spring, N/m; cut to what the device can show (see ``warnings``).
-        max_force: N; the device's own limit holds too. ring_seconds: ticks kept for ``drain``.
+        max_force: N; the device's own limit holds too, without a word (see the property). ring_seconds: ticks kept for ``drain``.
         max_slew: N/s; ``None`` is the device's own limit. From nothing to ``max_force`` takes 5 ms at least.
         max_speed: of the hand, m/s, beyond which the handle counts as slipped and there is no force; ``None``
             is the device's own limit.
@@ -490,7 +495,8 @@ class Session:
             that start a session and sleep, never waits for anyone. Steps wait for nobody either.
         real_time: whether a live session asks the system for real-time priority; see ``priority``.
         model, step_budget, sub_step: see ContactModel.
-        radius: of ``virtual_proxy`` only: of its sphere, workspace metres; ``None`` is 1 mm.
+        radius: of ``virtual_proxy`` only: of its sphere, workspace metres; ``None`` is 1 mm (a ContactModel alone
+            knows no hand, and takes half a cell).
 
     Raises:
         ValueError: naming the name or number that cannot be used; the device is not taken then.
@@ -518,7 +524,10 @@ class Session:
     def start(self) -> None:
         """Run at 1 kHz on a thread of its own. Raises SessionError when it already runs or has faulted."""
     def stop(self) -> None:
-        """Send zero force and join the thread; harmless when it does not run."""
+        """Send zero force and join the thread; harmless when it does not run.
+
+        The next start or step begins with the proxy at the hand: under the ground there is no force.
+        """
     def step(self, count: int) -> None:
         """Do ticks of 1 ms here and now, deterministically; Ctrl-C ends it early.
 
@@ -555,13 +564,19 @@ class Session:
         it refuses; ticks may then meet a page that was taken away. After ``stop``, what it last was.
         """
     def warnings(self) -> list[str]:
-        """What the safety chain did so far, why, and what to do about it: a sentence each, the gravest first."""
+        """What the safety chain did so far, why, and what to do about it: a sentence each, the gravest first.
+
+        Why touch ended by itself is not among them: see ``fault``.
+        """
     def heartbeat(self) -> None:
         """Whoever must look at a live session is still there; ``state`` says so too. See ``stale_after``."""
     @property
     def window(self) -> Window: ...
     def set_window(self, window: Window) -> None:
-        """Lay the workspace elsewhere from the next tick on; the proxy begins anew at the hand."""
+        """Lay the workspace elsewhere from the next tick on; the proxy begins anew at the hand.
+
+        Where that is under the ground there is no force until the hand has been above (``State.held`` is ``below``).
+        """
     @property
     def model(self) -> str:
         """The contact model that was chosen last, one of ``MODELS``."""

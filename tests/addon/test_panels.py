@@ -101,7 +101,7 @@ def test_the_panel_says_what_holds_the_force_back(label: Path) -> None:
 
 
 def test_every_reason_has_words(label: Path) -> None:
-    assert set(module("ui.panel").HELD) == {"host", "late", "speed", "device", "not_finite"}
+    assert set(module("ui.panel").HELD) == {"host", "late", "speed", "device", "not_finite", "below"}
 
 
 def test_the_panel_says_why_touch_ended(label: Path) -> None:

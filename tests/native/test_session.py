@@ -263,3 +263,8 @@ def test_counts_and_quantiles_out_of_range_are_named() -> None:
 def test_a_target_that_is_nowhere_is_refused(target: tuple[float, float, float]) -> None:
     with pytest.raises(ValueError, match=r"target [xyz]"):
         touch(flat(), SimulatedDevice()).set_target(*target)
+
+
+def test_something_that_is_no_device_is_named() -> None:
+    with pytest.raises(TypeError, match=r"device is a str; expected a ScriptedDevice or a SimulatedDevice"):
+        touch(flat(), "Falcon")  # type: ignore[arg-type]

@@ -54,6 +54,10 @@ const FEW_SPEEDS: [f64; 3] = [0.01, 1.0, 13.4];
 const BESIDE_WALL: f64 = 28.0;
 
 fn main() -> ExitCode {
+    if std::env::args().any(|argument| argument == "--help") {
+        println!("{USAGE}");
+        return ExitCode::SUCCESS;
+    }
     let options = match Options::read(std::env::args().skip(1)) {
         Ok(options) => options,
         Err(mistake) => {

@@ -15,7 +15,11 @@ pub struct Options {
 }
 
 /// How the program is called.
-pub const USAGE: &str = "contact_bench [--large] [--keep] [--mola FILE] --output FOLDER";
+pub const USAGE: &str = "contact_bench [--large] [--keep] [--mola FILE] --output FOLDER
+  --large          only what a larger planet costs, up to 10 thousand million triangles
+  --keep           leave its grids on the disk afterwards
+  --mola FILE      MOLA's topography at 4 pixels per degree, measured too
+  --output FOLDER  where grids and figures go";
 
 impl Options {
     /// Reads the arguments; the text says what is wrong with them.

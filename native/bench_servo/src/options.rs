@@ -13,7 +13,10 @@ pub struct Options {
 }
 
 /// How the program is called.
-pub const USAGE: &str = "servo_bench [--mesh PROGRAM] [--seconds N] --output FOLDER";
+pub const USAGE: &str = "servo_bench [--mesh PROGRAM] [--seconds N] --output FOLDER
+  --mesh PROGRAM   builds meshes in Blender beside the servo; left out, that condition is not measured
+  --seconds N      of lateness in each condition and of each kind; 30 where it is left out
+  --output FOLDER  where figures go";
 
 /// Seconds that percentiles of lateness settle in.
 const SECONDS: u64 = 30;

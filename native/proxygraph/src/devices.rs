@@ -2,6 +2,7 @@
 
 use crate::errors::{session_error, value_error};
 use devices::{Device, Hand, PathPoint};
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use std::sync::Mutex;
 
@@ -84,10 +85,26 @@ impl SimulatedDevice {
 }
 
 /// Any of the devices above, as an argument.
-#[derive(FromPyObject)]
 pub enum AnyDevice<'py> {
     Scripted(PyRef<'py, ScriptedDevice>),
     Simulated(PyRef<'py, SimulatedDevice>),
+}
+
+impl<'py> FromPyObject<'_, 'py> for AnyDevice<'py> {
+    type Error = PyErr;
+
+    fn extract(object: Borrowed<'_, 'py, PyAny>) -> PyResult<Self> {
+        if let Ok(device) = object.extract() {
+            return Ok(Self::Scripted(device));
+        }
+        if let Ok(device) = object.extract() {
+            return Ok(Self::Simulated(device));
+        }
+        let found = object.get_type().name()?;
+        Err(PyTypeError::new_err(format!(
+            "device is a {found}; expected a ScriptedDevice or a SimulatedDevice"
+        )))
+    }
 }
 
 impl AnyDevice<'_> {

@@ -19,6 +19,10 @@ use pyo3::types::PyTuple;
 #[cfg(not(debug_assertions))]
 const _: () = assert!(!servo::HAS_TEST_HOOKS, "build proxygraph alone, without the test hooks");
 
+/// Touch elevation grids: proxy contact models and a 1 kHz haptic servo.
+///
+/// Every class and call is described in the stub proxygraph.pyi beside this module, which editors
+/// and type checkers show: frames, units, errors, and the sections of the paper.
 #[pymodule(name = "proxygraph")]
 mod module {
     use super::*;

@@ -19,6 +19,9 @@ pub enum Fault {
     /// The grid's file became shorter than it was.
     #[error("touch ended because the terrain's file was cut while in use: import it again")]
     GridDamaged,
+    /// The process forked, and this is the child.
+    #[error("touch ended because the process forked: the session stays with its parent")]
+    Forked,
     /// A mistake in this program, caught.
     #[error("touch ended because of a mistake in the program: {0}")]
     Panic(String),

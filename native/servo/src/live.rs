@@ -69,15 +69,20 @@ impl Live {
         &self.granted
     }
 
-    /// Whether the loop has not ended by itself.
+    /// Whether the loop has not ended by itself, and is this process's.
     pub(crate) fn is_running(&self) -> bool {
-        !self.thread.is_finished()
+        !self.is_elsewhere() && !self.thread.is_finished()
+    }
+
+    /// Whether the thread is another process's: this one is its child.
+    pub(crate) fn is_elsewhere(&self) -> bool {
+        self.process != std::process::id()
     }
 
     /// Ends the loop and takes the engine back. `None` where the thread broke down with it.
     pub(crate) fn stop(self) -> Option<Box<Engine>> {
         self.stop.store(true, Ordering::Release);
-        if self.process != std::process::id() {
+        if self.is_elsewhere() {
             // There is nothing to join in this process, and the device belongs to the other.
             std::mem::forget(self.thread);
             return None;

@@ -14,8 +14,8 @@ use crate::engine::{COMMANDS, Engine, Ports, RETIRED, Snapshot, TICKS_PER_SECOND
 use crate::live::{Granted, Live};
 use crate::safety::Heartbeat;
 use crate::{
-    Fault, Frame, Histogram, Limits, LockedMemory, Priority, Servo, State, Statistics, TickRecord,
-    Totals, Warning, Window,
+    Fault, Frame, Held, Histogram, Limits, LockedMemory, Priority, Servo, State, Statistics,
+    TickRecord, Totals, Warning, Window,
 };
 
 /// The longest ring: an hour of ticks takes half a gigabyte.
@@ -286,6 +286,7 @@ impl Session {
 
     /// Why touch ended by itself, if it did. The device has had its zero force by then.
     pub fn fault(&self) -> Option<&Fault> {
+        self.notice_fork();
         self.fault.get()
     }
 
@@ -335,7 +336,11 @@ impl Session {
         self.free_retired();
         self.heartbeat.beat();
         self.grid.look_at_file();
-        self.snapshots.read().state
+        let mut state = self.snapshots.read().state;
+        if state.held.is_none() && self.is_below_ground(&state) {
+            state.held = Some(Held::Below);
+        }
+        state
     }
 
     /// Counts and times since the session was made.
@@ -366,7 +371,9 @@ impl Session {
 
     /// What the safety chain did so far, in words for the person, the gravest first.
     pub fn warnings(&mut self) -> Vec<Warning> {
-        Warning::all(&self.limits, &self.snapshots.read().totals)
+        let Snapshot { state, totals } = *self.snapshots.read();
+        let below = self.is_below_ground(&state).then_some(Warning::Below);
+        below.into_iter().chain(Warning::all(&self.limits, &totals)).collect()
     }
 
     /// Whoever needs to look at a live session is still there: see [`Settings::stale_after`].
@@ -378,7 +385,25 @@ impl Session {
         self.stale_after.map(|seconds| (Arc::clone(&self.heartbeat), seconds))
     }
 
+    /// A child has no servo: what it inherits of a live session is a session that has ended.
+    fn notice_fork(&self) {
+        if let Place::Live(live) = &self.place
+            && live.is_elsewhere()
+        {
+            self.fault.get_or_init(|| Fault::Forked);
+        }
+    }
+
+    /// Whether the hand is where the ground should hold it, and does not: a proxy that begins under
+    /// the ground is free until it has been above.
+    fn is_below_ground(&self, state: &State) -> bool {
+        let goal = self.grid.layout().grid_point(state.goal);
+        let ground = goal.is_finite().then(|| self.grid.surface_elevation(&goal)).flatten();
+        state.tick > 0 && !state.in_contact() && ground.is_some_and(|ground| state.goal[2] < ground)
+    }
+
     fn refuse_after_fault(&self) -> Result<(), SessionError> {
+        self.notice_fork();
         match self.fault.get() {
             Some(fault) => Err(SessionError::Faulted(fault.clone())),
             None => Ok(()),

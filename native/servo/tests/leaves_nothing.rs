@@ -96,8 +96,10 @@ fn a_fork_leaves_the_session_to_the_parent() {
     let child = unsafe { libc::fork() };
     if child == 0 {
         let is_right = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| {
-            session.stop();
             assert!(!session.running());
+            assert_eq!(session.fault(), Some(&servo::Fault::Forked));
+            assert!(session.start().is_err() && session.step(1).is_err());
+            session.stop();
             drop(session);
         }))
         .is_ok();

@@ -290,8 +290,8 @@ impl Safety {
                 Held::Speed => self.trips.speed_cuts += 1,
                 Held::Host => self.trips.host_cuts += 1,
                 Held::Late => self.trips.late_cuts += 1,
-                // Counted by ticks where they are noticed.
-                Held::Device | Held::NotFinite => {}
+                // Counted by ticks where they are noticed; and no stage acts below the ground.
+                Held::Device | Held::NotFinite | Held::Below => {}
             }
         }
     }

@@ -27,7 +27,7 @@ impl Slew {
     pub(crate) fn new(rate: f64, max_force: f64) -> Slew {
         Slew {
             rate,
-            slow_rate: rate.min(max_force / RAMP),
+            slow_rate: rate_at_switch(rate, max_force),
             handing_over: false,
             acting: Force::ZERO,
         }
@@ -57,6 +57,11 @@ impl Slew {
         self.handing_over &= was_cut;
         (self.acting, was_cut)
     }
+}
+
+/// Newtons a second while another contact model takes over.
+pub(crate) fn rate_at_switch(rate: f64, max_force: f64) -> f64 {
+    rate.min(max_force / RAMP)
 }
 
 fn combined(one: Force, other: Force, combine: impl Fn(f64, f64) -> f64) -> Force {

@@ -36,6 +36,9 @@ pub enum Held {
     Device,
     /// A position or a force was not a number.
     NotFinite,
+    /// The hand is under the ground without touching it: touch begins only from above. No stage of
+    /// the chain says so; a session finds it when somebody looks.
+    Below,
 }
 
 impl Held {
@@ -47,6 +50,7 @@ impl Held {
             Held::Speed => "speed",
             Held::Device => "device",
             Held::NotFinite => "not_finite",
+            Held::Below => "below",
         }
     }
 }

@@ -1,10 +1,16 @@
 //! What the safety chain did, in words for the person.
 
+use super::slew::rate_at_switch;
 use crate::{Limits, Totals};
 
 /// What a stage did since the session was made, why, and what can be done about it.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum Warning {
+    /// The hand is under the ground now.
+    #[error(
+        "The hand is under the ground, and touch begins only from above: lift it out and come down again."
+    )]
+    Below,
     /// The spring is softer than was asked for.
     #[error(
         "The stiffness was cut from {asked:.0} to {given:.0} N/m: the device would tremble with more."
@@ -74,18 +80,30 @@ pub enum Warning {
     /// The force lagged.
     #[error(
         "The force rose or fell more slowly than it should for {seconds:.2} s: its change is \
-         limited to {max_slew:.0} N/s."
+         limited to {max_slew:.0} N/s, and to {at_switch:.0} N/s after a switch of models."
     )]
     SlewLimited {
         /// N/s.
         max_slew: f64,
+        /// While another contact model takes over, N/s.
+        at_switch: f64,
         /// s.
         seconds: f64,
     },
+    /// The contact model ran out of steps.
+    #[error(
+        "The contact model had not come to the hand's place at the end of {0} ticks: let it go in larger \
+         sub-steps, take a smaller sphere, or give it a larger step budget."
+    )]
+    Unfinished(u64),
     /// Ticks were lost to recordings.
     #[error("Ticks were lost to recordings {}, because nobody fetched them in time.", often(.0))]
     Dropped(u64),
 }
+
+/// Ticks below which neither a cut nor a late force, nor an unfinished update, is told: a landing or a
+/// jump across the map is no trouble. As long as the force takes to come back.
+const WORTH_TELLING: u64 = 50;
 
 fn often(count: &u64) -> String {
     match count {
@@ -100,6 +118,7 @@ impl Warning {
         let trips = &totals.trips;
         // Ticks are a millisecond each.
         let seconds = |ticks: u64| ticks as f64 / crate::engine::TICKS_PER_SECOND;
+        let worth_telling = |ticks: u64| if ticks < WORTH_TELLING { 0 } else { ticks };
         let told = [
             (trips.not_finite, Warning::NotFinite(trips.not_finite)),
             (trips.device_errors, Warning::Device(trips.device_errors)),
@@ -115,14 +134,16 @@ impl Warning {
             ),
             (totals.active_ticks, Warning::Active { seconds: seconds(totals.active_ticks) }),
             (totals.dropped, Warning::Dropped(totals.dropped)),
+            (worth_telling(totals.unfinished), Warning::Unfinished(totals.unfinished)),
             (
-                trips.clamped,
+                worth_telling(trips.clamped),
                 Warning::Clamped { max_force: limits.max_force, seconds: seconds(trips.clamped) },
             ),
             (
-                trips.slew_limited,
+                worth_telling(trips.slew_limited),
                 Warning::SlewLimited {
                     max_slew: limits.max_slew,
+                    at_switch: rate_at_switch(limits.max_slew, limits.max_force),
                     seconds: seconds(trips.slew_limited),
                 },
             ),
@@ -148,14 +169,15 @@ mod tests {
         let capabilities =
             Capabilities { max_stiffness: 300.0, ..Capabilities::unlimited([0.1; 3]) };
         let limits = Limits::new(&Settings::default(), &capabilities);
-        let trips = Trips { host_cuts: 2, clamped: 1500, ..Trips::default() };
-        let totals = Totals { trips, ..Totals::default() };
+        let trips = Trips { host_cuts: 2, clamped: 1500, slew_limited: 49, ..Trips::default() };
+        let totals = Totals { trips, unfinished: 50, ..Totals::default() };
         let told: Vec<String> =
             Warning::all(&limits, &totals).iter().map(ToString::to_string).collect();
-        assert_eq!(told.len(), 3);
+        assert_eq!(told.len(), 4);
         assert!(told[0].contains("taken away 2 times because Blender"), "{}", told[0]);
         assert_eq!(often(&1), "once");
         assert!(told[1].contains("from 500 to 300 N/m"), "{}", told[1]);
-        assert!(told[2].contains("limit of 8.0 N for 1.5 s"), "{}", told[2]);
+        assert!(told[2].contains("at the end of 50 ticks"), "{}", told[2]);
+        assert!(told[3].contains("limit of 8.0 N for 1.5 s"), "{}", told[3]);
     }
 }
