@@ -16,6 +16,8 @@ from .projections import Coordinates
 
 STEPS = 60
 """Of Vincenty's iteration at most; it takes 3 to 8 but for places nearly opposite."""
+FLATTEST = 0.8
+"""Semi-minor axes in semi-major ones: flatter than any planet, Vincenty's series are no longer near."""
 HALFWAY_PLACES = 48
 """Looked at all around, before the best is narrowed down."""
 NARROWINGS = 40
@@ -23,12 +25,13 @@ GOLDEN = (math.sqrt(5.0) - 1.0) / 2.0
 
 
 def distance(start: Coordinates, end: Coordinates, ellipsoid: Ellipsoid) -> float | None:
-    """Metres of the shortest way over the ellipsoid's surface; ``None`` where a number makes no place.
+    """Metres of the shortest way over the ellipsoid's surface; ``None`` where a number makes no place or body.
 
     Args:
         start, end: degrees east of any turn, and planetographic degrees north.
     """
-    axes_fit = 0.0 < ellipsoid.semi_minor <= ellipsoid.semi_major < math.inf
+    major, minor = ellipsoid.semi_major, ellipsoid.semi_minor
+    axes_fit = minor > 0.0 and FLATTEST * major <= minor <= major < math.inf
     places_fit = all(math.isfinite(place[0]) and -90.0 <= place[1] <= 90.0 for place in (start, end))
     if not (axes_fit and places_fit):
         return None
@@ -89,7 +92,7 @@ def _vincenty(east: float, first: float, second: float, ellipsoid: Ellipsoid) ->
         previous, turned = turned, east + longer
         if abs(turned) > math.pi:
             return None
-        if abs(turned - previous) < 1e-13:
+        if abs(turned - previous) <= 1e-13 * abs(turned):
             return minor * _arc(square_cosine, middle, sigma, ellipsoid)
     return None
 

@@ -61,7 +61,7 @@ def test_opposite_places_are_joined_over_a_pole(ellipsoid: Ellipsoid) -> None:
 
 
 def test_nearly_opposite_places_are_as_another_library_has_them() -> None:
-    """C. F. F. Karney, "Algorithms for geodesics", Journal of Geodesy 87 (2013), table 5: 19,989,832.828 m."""
+    """C. F. F. Karney, "Algorithms for geodesics", Journal of Geodesy 87 (2013), table 5."""
     assert distance((0.0, -30.0), (179.8, 29.9), WGS84) == pytest.approx(19989832.827610, abs=0.001)
 
 
@@ -95,8 +95,8 @@ def test_hostile_numbers_give_metres_or_none(
 
 
 def test_latitudes_of_mars_differ_by_a_third_of_a_degree() -> None:
-    assert to_planetocentric(45.0, MARS) == pytest.approx(44.6619, abs=1e-4)
-    assert to_planetographic(45.0, MARS) == pytest.approx(45.3381, abs=1e-4)
+    assert to_planetocentric(45.0, MARS) == pytest.approx(44.6618, abs=1e-4)
+    assert to_planetographic(45.0, MARS) == pytest.approx(45.3382, abs=1e-4)
     assert to_planetographic(to_planetocentric(-72.5, MARS), MARS) == pytest.approx(-72.5)
 
 

@@ -347,6 +347,7 @@ def test_longitudes_of_any_turn_are_the_same_place() -> None:
 def test_a_cylindrical_map_that_runs_beyond_half_a_turn_is_read() -> None:
     projection = Equirectangular()
     turn = projection.turn(MOLA)
+    assert turn is not None
     assert turn == pytest.approx(math.tau * 3396000.0)
     found = projection.inverse(0.75 * turn, 0.0, MOLA)
     assert found is not None
