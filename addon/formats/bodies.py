@@ -148,12 +148,13 @@ ELLIPSOIDS = (
 
 
 def _plain(name: str) -> str:
-    """Letters and digits only: ``D_WGS_1984`` (as Esri writes a datum), ``WGS 1984`` and ``wgs1984`` are one."""
+    """Letters and digits only: ``D_WGS_1984`` (Esri's for a datum), ``WGS 1984`` and ``wgs1984`` are one."""
     words = name.strip().casefold().removeprefix("d_")
     return "".join(letter for letter in words if letter.isalnum())
 
 
 def _by_name(shapes: tuple[KnownShape, ...]) -> dict[str, KnownShape]:
+    """Every name of every shape."""
     return {_plain(name): shape for shape in shapes for name in (shape.name, *shape.other_names)}
 
 

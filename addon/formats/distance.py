@@ -25,7 +25,7 @@ GOLDEN = (math.sqrt(5.0) - 1.0) / 2.0
 
 
 def distance(start: Coordinates, end: Coordinates, ellipsoid: Ellipsoid) -> float | None:
-    """Metres of the shortest way over the ellipsoid's surface; ``None`` where a number makes no place or body.
+    """Metres of the shortest way over the surface; ``None`` where numbers make no place or no body.
 
     Args:
         start, end: degrees east of any turn, and planetographic degrees north.
