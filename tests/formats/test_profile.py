@@ -148,15 +148,21 @@ def test_a_hole_between_two_edges_with_ground_is_not_bridged() -> None:
     assert cut.void_length == pytest.approx(150.0)
 
 
-def test_a_void_triangle_between_two_crossings_gets_a_point_of_its_own() -> None:
+@pytest.mark.parametrize("most_points", [20000, 4])
+def test_a_void_between_two_places_with_ground_gets_a_point_of_its_own(most_points: int) -> None:
     rows = shaped(4, 4, lambda column, row: 7.0)
-    rows[1][2] = VOID
-    cut = profile(at(), grid_of(rows), (0.9, 0.8), (2.1, 2.0))
-    elevations = [point.elevation for point in cut.points]
-    assert None in elevations
-    assert elevations[0] == 7.0
-    assert elevations[-1] == 7.0
-    assert cut.rise == 0.0
+    rows[0][1] = rows[2][2] = VOID  # on either side of the edge from (1, 1) to (2, 1)
+    cut = profile(at(), grid_of(rows), (0.0, 1.0), (3.0, 1.0), most_points)
+    assert cut.exact == (most_points > 4)
+    assert [(point.column, point.elevation) for point in cut.points] == [
+        (0.0, 7.0),
+        (1.0, 7.0),
+        (1.5, None),
+        (2.0, 7.0),
+        (3.0, 7.0),
+    ]
+    assert [point.slope for point in cut.points] == [None, 0.0, None, None, 0.0]
+    assert cut.void_length == pytest.approx(100.0)
 
 
 def test_beside_the_map_is_a_void() -> None:
