@@ -16,7 +16,7 @@ for name in ("bpy", "mathutils", "bmesh", "bpy_extras", "numpy"):
     sys.modules[name] = None
 from pathlib import Path
 import addon
-from addon.formats import read_grid
+from addon.formats import bodies, profile, projections, read_grid
 from addon.record import resample
 from addon.terrain import frame
 from addon.touch import recorder
