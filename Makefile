@@ -162,7 +162,7 @@ format: $(PACKAGES) | cargo ## Format all code in place
 	@$(BIN)/ruff format --quiet $(PYTHON_CODE)
 
 .PHONY: bench
-bench: bench-contact bench-servo ## Run every bench: tables, pictures and figures in build/bench
+bench: bench-contact bench-servo bench-formats ## Run every bench: tables, pictures and figures in build/bench
 
 # The same release profile as the wheel's, and as little of the processor.
 CONTACT_BENCH := cargo run --quiet --release --manifest-path native/Cargo.toml --package contact_bench --
@@ -184,6 +184,13 @@ bench-servo: cargo $(PACKAGES) ## Measure the servo: stability in closed loop, f
 	@cargo run --quiet --release --manifest-path native/Cargo.toml --package servo_bench -- --output $(BENCH) \
 		--mesh "$(BIN)/python tests/bench/build_meshes.py" $(ARGS)
 	@$(BIN)/python tests/bench/draw_stability.py $(BENCH)/servo.json $(BENCH)/stability.png
+
+# GDAL comes with rasterio, which nothing else needs.
+.PHONY: bench-formats
+bench-formats: cargo $(NATIVE) ## Measure the readers of elevation files beside GDAL, and fuzz them
+	@mkdir -p $(BENCH)
+	@$(BIN)/python -m pip install --quiet --group rasterio
+	@$(IN_BUILD) $(BIN)/python tests/bench/measure_formats.py $(BENCH)/formats.json --data ../shared/data $(ARGS)
 
 # ---------------------------------------------------------------- the extension
 
