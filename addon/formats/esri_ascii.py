@@ -102,14 +102,15 @@ def _georeference(ascii_grid: EsriAscii, frame: StatedFrame) -> Georeference:
 
 def _layout(ascii_grid: EsriAscii, georeference: Georeference, frame: StatedFrame) -> GridLayout:
     cell_width, cell_height = georeference.cell_size(ascii_grid.rows)
+    void = ascii_grid.void
     return GridLayout(
         ascii_grid.rows,
         ascii_grid.columns,
         cell_width=cell_width,
         cell_height=cell_height,
-        sample=ascii_grid.sample,
+        sample=ascii_grid.sample or "f64",
         byte_order="little",
         scale=frame.vertical_unit,
-        void=None if math.isnan(ascii_grid.void) else ascii_grid.void,
+        void=None if void is None or math.isnan(void) else void,
         wraps=georeference.spans_the_globe(ascii_grid.columns),
     )

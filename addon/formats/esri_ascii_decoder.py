@@ -11,4 +11,6 @@ from .decoding import Decoding
 
 def decode_esri_ascii(path: Path, layout: GridLayout, decoding: Decoding, progress: Progress | None) -> Grid:
     """Decode a region; see ``DECODERS``."""
-    return EsriAscii.open(path).decode(layout, decoding.first_column, decoding.first_row, progress=progress)
+    return EsriAscii.open(path, heights=False).decode(
+        layout, decoding.first_column, decoding.first_row, progress=progress
+    )

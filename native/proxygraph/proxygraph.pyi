@@ -155,11 +155,17 @@ class UsgsDem:
 
 @final
 class EsriAscii:
-    """An Esri ASCII grid: its header was read and every height was looked at."""
+    """An Esri ASCII grid: its header was read, and every height where that was asked for."""
 
     @staticmethod
-    def open(path: str | os.PathLike[str], progress: Progress | None = None) -> EsriAscii:
+    def open(
+        path: str | os.PathLike[str], progress: Progress | None = None, *, heights: bool = True
+    ) -> EsriAscii:
         """Read the header, and every height once (without the GIL).
+
+        Args:
+            heights: whether to look at them: else ``range``, ``voids``, ``sample`` and ``void`` are ``None``, and
+                words that are no numbers are found only when they are decoded.
 
         Raises:
             DecodeError: it is no Esri ASCII grid, a word is no number, or there are too few or too many heights.
@@ -185,14 +191,14 @@ class EsriAscii:
         """The value that means "no data" in the file; -9999 where the header does not say, NaN at times."""
     @property
     def range(self) -> tuple[float, float] | None:
-        """Lowest and highest height; ``None`` where all are void."""
+        """Lowest and highest height; ``None`` where all are void, too."""
     @property
-    def voids(self) -> int: ...
+    def voids(self) -> int | None: ...
     @property
-    def sample(self) -> Literal["i16", "i32", "f32", "f64"]:
+    def sample(self) -> Literal["i16", "i32", "f32", "f64"] | None:
         """The smallest type that keeps every height as it is written."""
     @property
-    def void(self) -> float:
+    def void(self) -> float | None:
         """The sample that means "no data" once it is decoded; NaN in ``f32`` and ``f64``."""
     def decode(
         self,
@@ -203,7 +209,7 @@ class EsriAscii:
         progress: Progress | None = None,
         cache: str | os.PathLike[str] | None = None,
     ) -> Grid:
-        """As ``UsgsDem.decode``."""
+        """As ``UsgsDem.decode``; the layout has the type ``sample``, and ``void`` where that is not NaN."""
 
 @final
 class RawSamples:

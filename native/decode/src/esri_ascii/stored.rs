@@ -5,8 +5,7 @@
 //! 123.456 has lost something. Whether it would come back as text, by the shortest way of writing it,
 //! would have to be asked of each, and takes longer than reading it; so they take double precision.
 
-use crate::error::DecodeError;
-use surface::{GridLayout, SampleType};
+use surface::SampleType;
 
 /// Beyond it a void value may have been rounded on its way into text.
 const NEAR_LARGEST: f64 = 1e38;
@@ -94,16 +93,18 @@ impl Stored {
         let sample = if found.are_single { SampleType::F32 } else { SampleType::F64 };
         Self { sample, void: f64::NAN }
     }
+}
 
-    /// Refuses a layout in another sample type.
-    pub fn check(&self, layout: &GridLayout) -> Result<(), DecodeError> {
-        if layout.sample() == self.sample {
-            return Ok(());
-        }
-        Err(DecodeError::wrong(
-            "sample type",
-            format!("{:?}", layout.sample()),
-            format!("{:?}", self.sample),
-        ))
+/// Whether a height can be kept in a layout's samples: it can, unless the file or the layout was changed.
+#[inline]
+pub fn fits(sample: SampleType, height: f64) -> bool {
+    let within =
+        |least: f64, most: f64| height == height.trunc() && (least..=most).contains(&height);
+    match sample {
+        SampleType::I16 => within(f64::from(i16::MIN), f64::from(i16::MAX)),
+        SampleType::U16 => within(0.0, f64::from(u16::MAX)),
+        SampleType::I32 => within(f64::from(i32::MIN), f64::from(i32::MAX)),
+        SampleType::F32 => height == f64::from(height as f32),
+        SampleType::F64 => true,
     }
 }

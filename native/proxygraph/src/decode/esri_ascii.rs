@@ -4,26 +4,35 @@ use super::{Progress, decode_refusal};
 use crate::errors::value_error;
 use crate::grid::{Grid, GridLayout, sample_name};
 use crate::numbers::Whole;
-use ::decode::esri_ascii::{self, Corner};
+use ::decode::esri_ascii::{self, Corner, Heights};
 use pyo3::prelude::*;
 use std::path::PathBuf;
 
-/// An Esri ASCII grid whose header was read and whose heights were looked at.
+/// An Esri ASCII grid whose header was read, and its heights where that was asked for.
 #[pyclass(frozen, module = "proxygraph")]
 pub struct EsriAscii {
     grid: esri_ascii::EsriAscii,
+    heights: Option<Heights>,
 }
 
 #[pymethods]
 impl EsriAscii {
     #[staticmethod]
-    #[pyo3(signature = (path, progress=None))]
-    fn open(py: Python<'_>, path: PathBuf, progress: Option<&Progress>) -> PyResult<Self> {
+    #[pyo3(signature = (path, progress=None, *, heights=true))]
+    fn open(
+        py: Python<'_>,
+        path: PathBuf,
+        progress: Option<&Progress>,
+        heights: bool,
+    ) -> PyResult<Self> {
         let unseen = Progress::default();
         let progress = progress.unwrap_or(&unseen).shared();
-        let grid =
-            py.detach(|| esri_ascii::EsriAscii::open(&path, progress)).map_err(decode_refusal)?;
-        Ok(Self { grid })
+        py.detach(|| {
+            let grid = esri_ascii::EsriAscii::open(&path)?;
+            let heights = heights.then(|| grid.heights(progress)).transpose()?;
+            Ok(Self { grid, heights })
+        })
+        .map_err(decode_refusal)
     }
 
     #[getter]
@@ -60,22 +69,22 @@ impl EsriAscii {
 
     #[getter]
     fn range(&self) -> Option<(f64, f64)> {
-        self.grid.range()
+        self.heights?.range
     }
 
     #[getter]
-    fn voids(&self) -> u64 {
-        self.grid.voids()
+    fn voids(&self) -> Option<u64> {
+        Some(self.heights?.voids)
     }
 
     #[getter]
-    fn sample(&self) -> &'static str {
-        sample_name(self.grid.stored().sample)
+    fn sample(&self) -> Option<&'static str> {
+        Some(sample_name(self.heights?.stored.sample))
     }
 
     #[getter]
-    fn void(&self) -> f64 {
-        self.grid.stored().void
+    fn void(&self) -> Option<f64> {
+        Some(self.heights?.stored.void)
     }
 
     #[pyo3(signature = (layout, first_column=Whole(0), first_row=Whole(0), *, progress=None, cache=None),
