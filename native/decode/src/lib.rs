@@ -7,7 +7,9 @@
 #![deny(missing_docs, unsafe_op_in_unsafe_fn)]
 
 mod error;
+pub mod geotiff;
 mod progress;
+mod source;
 mod target;
 
 pub use error::DecodeError;

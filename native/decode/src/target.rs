@@ -2,7 +2,8 @@
 
 use crate::error::DecodeError;
 use memmap2::MmapMut;
-use std::fs::{self, OpenOptions};
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use surface::{Grid, GridLayout};
 
@@ -28,6 +29,14 @@ impl Drop for Unfinished {
 }
 
 impl Target {
+    /// Room in a file at `cache` where one is named, else in memory.
+    pub fn new(layout: GridLayout, cache: Option<&Path>) -> Result<Self, DecodeError> {
+        match cache {
+            Some(path) => Self::file(layout, path),
+            None => Self::memory(layout),
+        }
+    }
+
     /// Room in memory.
     pub fn memory(layout: GridLayout) -> Result<Self, DecodeError> {
         let length = layout.byte_length() as usize;
@@ -44,6 +53,9 @@ impl Target {
     }
 
     /// Room on the disk: `path` appears when everything is written, or not at all.
+    ///
+    /// The room is taken from the disk here and now: a full disk is an error here, and no signal
+    /// (SIGBUS) when a sample is written to the mapped file.
     pub fn file(layout: GridLayout, path: &Path) -> Result<Self, DecodeError> {
         let mut part = path.as_os_str().to_owned();
         part.push(format!(".{}.part", std::process::id()));
@@ -54,7 +66,7 @@ impl Target {
             .create(true)
             .truncate(true)
             .open(&unfinished.0)?;
-        file.set_len(layout.byte_length())?;
+        reserve(&file, layout.byte_length())?;
         // SAFETY: the file was made here under a name of this process; nobody else cuts it.
         let mapping = unsafe { MmapMut::map_mut(&file)? };
         Ok(Self { layout, bytes: Bytes::File { mapping, unfinished, path: path.to_owned() } })
@@ -95,6 +107,39 @@ impl Target {
             Bytes::File { mapping, .. } => mapping,
         }
     }
+}
+
+/// Takes the blocks of a file from the disk, as far as the file system can promise them.
+#[cfg(target_os = "linux")]
+fn reserve(file: &File, length: u64) -> io::Result<()> {
+    use std::os::fd::AsRawFd;
+    let too_long = |_| io::Error::from(io::ErrorKind::FileTooLarge);
+    let length_there = length.try_into().map_err(too_long)?;
+    // SAFETY: the descriptor is open as long as `file` is borrowed; no memory is handed over.
+    match unsafe { libc::posix_fallocate(file.as_raw_fd(), 0, length_there) } {
+        0 => Ok(()),
+        // Some file systems cannot; some C libraries then write the file themselves, and others do not.
+        libc::EOPNOTSUPP | libc::EINVAL => write_zeros(file, length),
+        error => Err(io::Error::from_raw_os_error(error)),
+    }
+}
+
+/// Takes the blocks of a file from the disk.
+#[cfg(not(target_os = "linux"))]
+fn reserve(file: &File, length: u64) -> io::Result<()> {
+    write_zeros(file, length)
+}
+
+/// Takes the blocks of a file from the disk by writing all of it.
+fn write_zeros(mut file: &File, length: u64) -> io::Result<()> {
+    let zeros = [0; 1 << 16];
+    let mut left = length;
+    while left > 0 {
+        let count = left.min(zeros.len() as u64);
+        file.write_all(&zeros[..count as usize])?;
+        left -= count;
+    }
+    Ok(())
 }
 
 #[cfg(test)]

@@ -1,5 +1,9 @@
 //! Decoders: what they share.
 
+mod geotiff;
+
+pub use geotiff::GeoTiff;
+
 use crate::errors::grid_error;
 use pyo3::create_exception;
 use pyo3::exceptions::PyException;

@@ -25,6 +25,13 @@ const SAMPLES: [(&str, SampleType); 5] = [
 ];
 const ORDERS: [(&str, ByteOrder); 2] = [("big", ByteOrder::Big), ("little", ByteOrder::Little)];
 
+impl GridLayout {
+    /// The layout, as the other crates know it.
+    pub fn plain(&self) -> surface::GridLayout {
+        self.layout
+    }
+}
+
 #[pymethods]
 impl GridLayout {
     #[new]
@@ -90,12 +97,12 @@ impl GridLayout {
 
     #[getter]
     fn sample(&self) -> &'static str {
-        name_of(self.layout.sample(), &SAMPLES)
+        sample_name(self.layout.sample())
     }
 
     #[getter]
     fn byte_order(&self) -> &'static str {
-        name_of(self.layout.byte_order(), &ORDERS)
+        byte_order_name(self.layout.byte_order())
     }
 
     #[getter]
@@ -198,6 +205,11 @@ pub struct Grid {
 }
 
 impl Grid {
+    /// A grid from a decoder.
+    pub fn of(grid: surface::Grid) -> Self {
+        Self { grid: Arc::new(grid) }
+    }
+
     pub fn shared(&self) -> Arc<surface::Grid> {
         Arc::clone(&self.grid)
     }
@@ -286,6 +298,16 @@ fn named<T: Copy>(field: &str, name: &str, known: &[(&'static str, T)]) -> PyRes
             Err(grid_error(format!("{field} is '{name}'; expected one of {names}")))
         }
     }
+}
+
+/// What the contract calls a sample type.
+pub fn sample_name(sample: SampleType) -> &'static str {
+    name_of(sample, &SAMPLES)
+}
+
+/// What the contract calls a byte order.
+pub fn byte_order_name(order: ByteOrder) -> &'static str {
+    name_of(order, &ORDERS)
 }
 
 fn name_of<T: PartialEq>(value: T, known: &[(&'static str, T)]) -> &'static str {

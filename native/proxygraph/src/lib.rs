@@ -25,7 +25,7 @@ mod module {
     #[pymodule_export]
     use crate::choice::model_descriptions;
     #[pymodule_export]
-    use crate::decode::{CancelledError, DecodeError, Progress};
+    use crate::decode::{CancelledError, DecodeError, GeoTiff, Progress};
     #[pymodule_export]
     use crate::devices::{ScriptedDevice, SimulatedDevice};
     #[pymodule_export]
