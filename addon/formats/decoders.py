@@ -8,6 +8,7 @@ from pathlib import Path
 from proxygraph import Grid, GridLayout, Progress
 
 from .decoding import Decoding
+from .geotiff_decoder import decode_geotiff
 
 Decoder = Callable[[Path, GridLayout, Decoding, Progress | None], Grid]
 """Takes the data file, the packed layout that is wanted, the decoding, and where to tell progress.
@@ -15,4 +16,4 @@ Decoder = Callable[[Path, GridLayout, Decoding, Progress | None], Grid]
 Raises ``DecodeError`` (field, found, expected), ``GridError``, ``OSError`` or ``CancelledError``.
 """
 
-DECODERS: dict[str, Decoder] = {}
+DECODERS: dict[str, Decoder] = {"geotiff": decode_geotiff}

@@ -1,0 +1,213 @@
+"""From the projection keys of a GeoTIFF file to a projection.
+
+The one place that knows both the keys (OGC 19-008r4; the codes of projection methods: GeoTIFF 1.0, 6.3.3.3)
+and the names and fields of ``projections``. A projection that is not there, or that lacks a parameter of the
+file, is ``Unknown``: touch is right all the same, and no place is told wrong.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, fields
+from typing import Any
+
+from .ellipsoid import Ellipsoid
+from .geokeys import GeoKeys, Key
+from .projections import KINDS, Projection, Unknown
+
+NEUTRAL = {
+    "central_longitude": 0.0,
+    "latitude_of_origin": 0.0,
+    "scale_factor": 1.0,
+    "false_easting": 0.0,
+    "false_northing": 0.0,
+}
+"""Parameters that change nothing at these values: a projection need not have them."""
+
+LONGITUDE = (
+    Key.ProjNatOriginLong,
+    Key.ProjCenterLong,
+    Key.ProjFalseOriginLong,
+    Key.ProjStraightVertPoleLong,
+)
+LATITUDE = (Key.ProjNatOriginLat, Key.ProjCenterLat, Key.ProjFalseOriginLat)
+ANGLES = {
+    "central_longitude": LONGITUDE,
+    "latitude_of_origin": LATITUDE,
+    "standard_parallel_1": (Key.ProjStdParallel1,),
+    "standard_parallel_2": (Key.ProjStdParallel2,),
+}
+LENGTHS = {
+    "false_easting": (Key.ProjFalseEasting, Key.ProjFalseOriginEasting, Key.ProjCenterEasting),
+    "false_northing": (Key.ProjFalseNorthing, Key.ProjFalseOriginNorthing, Key.ProjCenterNorthing),
+}
+NUMBERS = {"scale_factor": (Key.ProjScaleAtNatOrigin, Key.ProjScaleAtCenter)}
+"""Which keys may hold a parameter, the usual one first: writers differ."""
+
+POLAR_STEREOGRAPHIC, STEREOGRAPHIC = "polar stereographic", "stereographic"
+
+METHODS = {
+    1: "transverse Mercator",
+    7: "Mercator",
+    8: "Lambert conformal conic",
+    9: "Lambert conformal conic",
+    10: "Lambert azimuthal equal-area",
+    11: "Albers equal-area conic",
+    12: "azimuthal equidistant",
+    13: "equidistant conic",
+    14: STEREOGRAPHIC,
+    15: POLAR_STEREOGRAPHIC,
+    16: "oblique stereographic",
+    17: "equirectangular",
+    18: "Cassini-Soldner",
+    19: "gnomonic",
+    20: "Miller cylindrical",
+    21: "orthographic",
+    22: "polyconic",
+    23: "Robinson",
+    24: "sinusoidal",
+    25: "Van der Grinten",
+    28: "cylindrical equal-area",
+}
+"""Names of projections, some of which are in ``KINDS``, by the code of ProjMethod."""
+
+WEB_MERCATOR_SPHERE = Ellipsoid.sphere(6_378_137.0)
+
+
+@dataclass(frozen=True)
+class ProjectedCode:
+    """What the code of a projected coordinate reference system means."""
+
+    name: str
+    geodetic: int
+    """Code of the geodetic system below it."""
+    projection: Projection
+    ellipsoid: Ellipsoid | None = None
+    """Where it is not the geodetic system's own."""
+
+
+def projection_of_keys(keys: GeoKeys, degrees: float, metres: float) -> tuple[Projection, str]:
+    """Make the projection that the keys define, and tell its name; no name where there is none at all.
+
+    Args:
+        degrees: in the unit of the keys' angles. metres: in the unit of their lengths.
+    """
+    code = keys.code(Key.ProjMethod)
+    kind = METHODS.get(code, f"projection method {code}" if code else "")
+    if not kind:
+        return Unknown(), ""
+    parameters: dict[str, float] = {}
+    for names, unit in ((ANGLES, degrees), (LENGTHS, metres), (NUMBERS, 1.0)):
+        for name, places in names.items():
+            number = keys.number(*places)
+            if number is not None:
+                parameters[name] = number * unit
+    if kind in {POLAR_STEREOGRAPHIC, STEREOGRAPHIC}:
+        kind = _about_a_pole(kind, parameters)
+    return made(kind, parameters), kind
+
+
+def _about_a_pole(kind: str, parameters: dict[str, float]) -> str:
+    """Tell the pole from the latitude of true scale: writers have one key for either."""
+    latitude = parameters.get("latitude_of_origin", 90.0)
+    if kind == STEREOGRAPHIC and abs(latitude) != 90.0:
+        return kind
+    if abs(latitude) != 90.0:
+        parameters.setdefault("standard_parallel_1", latitude)
+    parameters["latitude_of_origin"] = math.copysign(90.0, latitude)
+    return POLAR_STEREOGRAPHIC
+
+
+def made(kind: str, parameters: dict[str, float]) -> Projection:
+    """Make a projection; ``Unknown`` where there is none such, or none with these parameters."""
+    known = {name.lower(): found for name, found in KINDS.items()}
+    found = known.get(kind.lower())
+    if found is None:
+        return Unknown()
+    names = {field.name for field in fields(found)}  # type: ignore[arg-type]
+    chosen: dict[str, Any] = {}
+    for name, value in parameters.items():
+        if name in names:
+            chosen[name] = value
+        elif value != NEUTRAL.get(name):
+            return Unknown()
+    try:
+        return found(**chosen)
+    except (TypeError, ValueError):  # a parameter that the file lacks, or that no map can have
+        return Unknown()
+
+
+def projection_of_code(code: int) -> ProjectedCode | None:
+    """Look up the code of a projected coordinate reference system; ``None`` where it is not known here."""
+    return _utm(code) or _CODES.get(code)
+
+
+def _utm(code: int) -> ProjectedCode | None:
+    """Zones of UTM: the last two digits of the code are the zone's number."""
+    family, zone = divmod(code, 100)
+    if family not in _UTM or zone not in _UTM[family][2]:
+        return None
+    name, geodetic, _, is_north = _UTM[family]
+    parameters = {
+        "central_longitude": 6.0 * zone - 183.0,
+        "latitude_of_origin": 0.0,
+        "scale_factor": 0.9996,
+        "false_easting": 500_000.0,
+        "false_northing": 0.0 if is_north else 10_000_000.0,
+    }
+    side = "N" if is_north else "S"
+    return ProjectedCode(f"{name} / UTM zone {zone}{side}", geodetic, made("transverse Mercator", parameters))
+
+
+_UTM = {
+    326: ("WGS 84", 4326, range(1, 61), True),
+    327: ("WGS 84", 4326, range(1, 61), False),
+    269: ("NAD83", 4269, range(1, 24), True),
+    267: ("NAD27", 4267, range(1, 23), True),
+    258: ("ETRS89", 4258, range(28, 39), True),
+}
+"""By the code without its last two digits: datum, its code, zones, and whether they are of the north."""
+
+
+def _polar(latitude: float, longitude: float) -> Projection:
+    parameters = {
+        "latitude_of_origin": math.copysign(90.0, latitude),
+        "standard_parallel_1": latitude,
+        "central_longitude": longitude,
+    }
+    return made(POLAR_STEREOGRAPHIC, parameters)
+
+
+_CODES = {
+    3031: ProjectedCode("WGS 84 / Antarctic Polar Stereographic", 4326, _polar(-71.0, 0.0)),
+    3413: ProjectedCode("WGS 84 / NSIDC Sea Ice Polar Stereographic North", 4326, _polar(70.0, -45.0)),
+    3995: ProjectedCode("WGS 84 / Arctic Polar Stereographic", 4326, _polar(71.0, 0.0)),
+    3857: ProjectedCode("WGS 84 / Pseudo-Mercator", 4326, made("Mercator", {}), WEB_MERCATOR_SPHERE),
+    3035: ProjectedCode(
+        "ETRS89-extended / LAEA Europe",
+        4258,
+        made(
+            "Lambert azimuthal equal-area",
+            {
+                "latitude_of_origin": 52.0,
+                "central_longitude": 10.0,
+                "false_easting": 4_321_000.0,
+                "false_northing": 3_210_000.0,
+            },
+        ),
+    ),
+    5070: ProjectedCode(
+        "NAD83 / Conus Albers",
+        4269,
+        made(
+            "Albers equal-area conic",
+            {
+                "standard_parallel_1": 29.5,
+                "standard_parallel_2": 45.5,
+                "latitude_of_origin": 23.0,
+                "central_longitude": -96.0,
+            },
+        ),
+    ),
+}
+"""Parameters: EPSG Geodetic Parameter Dataset."""
