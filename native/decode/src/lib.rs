@@ -14,4 +14,4 @@ mod target;
 
 pub use error::DecodeError;
 pub use progress::Progress;
-pub use target::Target;
+pub use target::{Band, Target};

@@ -2,6 +2,7 @@
 
 use crate::error::DecodeError;
 use memmap2::MmapMut;
+use std::alloc::{self, Layout};
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -40,15 +41,13 @@ impl Target {
     /// Room in memory.
     pub fn memory(layout: GridLayout) -> Result<Self, DecodeError> {
         let length = layout.byte_length() as usize;
-        let mut bytes = Vec::new();
-        bytes.try_reserve_exact(length).map_err(|_| {
+        let bytes = zeros(length).ok_or_else(|| {
             DecodeError::wrong(
                 "memory",
                 format!("no room for {length} bytes"),
                 "enough free memory",
             )
         })?;
-        bytes.resize(length, 0);
         Ok(Self { layout, bytes: Bytes::Memory(bytes) })
     }
 
@@ -84,8 +83,28 @@ impl Target {
     pub fn row(&mut self, row: u32) -> &mut [u8] {
         assert!(row < self.layout.rows(), "no row {row}");
         let first = self.layout.offset() + u64::from(row) * self.layout.row_stride();
-        let length = self.layout.columns() as usize * self.layout.sample().bytes();
+        let length = self.row_length();
         &mut self.bytes_mut()[first as usize..][..length]
+    }
+
+    /// Bands of so many rows each, from the first row on, for threads that write side by side.
+    ///
+    /// # Panics
+    /// Where the layout has not so many rows.
+    pub fn bands(&mut self, heights: impl IntoIterator<Item = u32>) -> Vec<Band<'_>> {
+        let (offset, stride) = (self.layout.offset() as usize, self.layout.row_stride() as usize);
+        let (rows, length) = (self.layout.rows(), self.row_length());
+        let mut rest = &mut self.bytes_mut()[offset..];
+        let mut left = rows;
+        let band = |height| {
+            left = left.checked_sub(height).expect("as many rows as the layout has");
+            // The last row has no bytes between it and the next.
+            let end = (height as usize * stride).min(rest.len());
+            let (bytes, others) = std::mem::take(&mut rest).split_at_mut(end);
+            rest = others;
+            Band { bytes, stride, length }
+        };
+        heights.into_iter().map(band).collect()
     }
 
     /// The finished grid.
@@ -101,12 +120,45 @@ impl Target {
         }
     }
 
+    fn row_length(&self) -> usize {
+        self.layout.columns() as usize * self.layout.sample().bytes()
+    }
+
     fn bytes_mut(&mut self) -> &mut [u8] {
         match &mut self.bytes {
             Bytes::Memory(bytes) => bytes,
             Bytes::File { mapping, .. } => mapping,
         }
     }
+}
+
+/// Some rows of a target.
+pub struct Band<'a> {
+    bytes: &'a mut [u8],
+    stride: usize,
+    length: usize,
+}
+
+impl Band<'_> {
+    /// The bytes of a row, from its first sample to its last; row 0 is the band's first.
+    ///
+    /// # Panics
+    /// Where the band has no such row.
+    pub fn row(&mut self, row: u32) -> &mut [u8] {
+        &mut self.bytes[row as usize * self.stride..][..self.length]
+    }
+}
+
+/// Zeros that cost nothing until they are used; `None` where there is no room for them.
+fn zeros(length: usize) -> Option<Vec<u8>> {
+    let layout = Layout::array::<u8>(length).ok()?;
+    if length == 0 {
+        return Some(Vec::new());
+    }
+    // SAFETY: the layout is of more than 0 bytes.
+    let address = unsafe { alloc::alloc_zeroed(layout) };
+    // SAFETY: the allocator of vectors gave the address, for so many bytes, all of which are set.
+    (!address.is_null()).then(|| unsafe { Vec::from_raw_parts(address, length, length) })
 }
 
 /// Takes the blocks of a file from the disk, as far as the file system can promise them.
@@ -155,6 +207,49 @@ mod tests {
         target.row(0).copy_from_slice(&[1, 0, 2, 0, 3, 0]);
         target.row(1).copy_from_slice(&[4, 0, 5, 0, 6, 0]);
         target.finish().unwrap()
+    }
+
+    #[test]
+    fn bands_are_the_rows_one_after_the_other() {
+        for offset in [0, 5] {
+            let layout = layout().with_offset(offset).unwrap().with_row_stride(9).unwrap();
+            let mut target = Target::memory(layout).unwrap();
+            let mut bands = target.bands([1, 1]);
+            bands[1].row(0).copy_from_slice(&[4, 0, 5, 0, 6, 0]);
+            bands[0].row(0).copy_from_slice(&[1, 0, 2, 0, 3, 0]);
+            assert_eq!(target.row(1), [4, 0, 5, 0, 6, 0]);
+            let grid = target.finish().unwrap();
+            assert_eq!((grid.elevation(2, 0), grid.elevation(2, 1)), (Some(3.0), Some(6.0)));
+        }
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn a_file_has_its_blocks_before_it_is_written() {
+        use std::os::unix::fs::MetadataExt;
+        let folder = std::env::temp_dir().join(format!("decode-blocks-{}", std::process::id()));
+        fs::create_dir_all(&folder).unwrap();
+        let layout =
+            GridLayout::packed(1000, 1000, 1.0, 1.0, SampleType::I16, ByteOrder::Little).unwrap();
+        let target = Target::file(layout, &folder.join("grid")).unwrap();
+        let part = fs::read_dir(&folder).unwrap().next().unwrap().unwrap();
+        assert!(part.metadata().unwrap().blocks() * 512 >= 2_000_000);
+        drop(target);
+        fs::remove_dir_all(&folder).unwrap();
+    }
+
+    #[cfg(target_os = "linux")]
+    #[test]
+    fn a_file_larger_than_the_disk_is_an_error_and_leaves_nothing() {
+        let folder = std::env::temp_dir().join(format!("decode-full-{}", std::process::id()));
+        fs::create_dir_all(&folder).unwrap();
+        let layout =
+            GridLayout::packed(1 << 30, 1 << 30, 1.0, 1.0, SampleType::I16, ByteOrder::Little)
+                .unwrap();
+        let path = folder.join("grid");
+        assert!(matches!(Target::file(layout, &path), Err(DecodeError::File(_))));
+        assert_eq!(fs::read_dir(&folder).unwrap().count(), 0);
+        fs::remove_dir_all(&folder).unwrap();
     }
 
     #[test]

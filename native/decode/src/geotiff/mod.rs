@@ -18,8 +18,7 @@ mod packbits;
 mod picture;
 mod predictor;
 mod sample;
-#[cfg(test)]
-mod tests;
+mod worker;
 
 use crate::error::DecodeError;
 use crate::source::Source;
