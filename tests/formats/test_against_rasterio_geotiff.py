@@ -12,8 +12,12 @@ from typing import Any
 import pytest
 from proxygraph import GeoTiff, Grid, GridLayout
 
+from addon.formats import ElevationGrid
+from addon.formats.geotiff import read_geotiff
+
 numpy = pytest.importorskip("numpy", reason="numpy is not installed")
 rasterio = pytest.importorskip("rasterio", reason="rasterio is not installed")
+pytest.importorskip("rasterio.warp", reason="rasterio is not installed")
 
 ROWS, COLUMNS = 83, 117
 """Whole in no tile and no strip."""
@@ -157,3 +161,97 @@ def test_tiles_that_were_left_out_have_the_fill_value(tmp_path: Path, packing: s
     layout = GridLayout(ROWS, COLUMNS, cell_width=1, cell_height=1, byte_order="little")
     assert tiff.in_place is None
     assert numpy.array_equal(values(tiff.decode(layout, fill=-7)), expected)
+
+
+MARS = "+proj=longlat +a=3396190 +b=3376200 +no_defs"
+MARS_SPHERE = "+proj=eqc +lat_ts=0 +lat_0=0 +lon_0=180 +R=3396190 +units=m +no_defs"
+MOON_POLE = "+proj=stere +lat_0=-90 +lon_0=0 +k=1 +R=1737400 +units=m +no_defs"
+STATE_PLANE = (
+    "+proj=lcc +lat_1=44.3333 +lat_2=46 +lat_0=43.6666 +lon_0=-120.5 +x_0=2500000 +datum=NAD83 +units=us-ft"
+)
+AUSTRIA = "+proj=tmerc +lat_0=0 +lon_0=13.3333 +k=1 +x_0=0 +y_0=-5000000 +ellps=bessel +units=m"
+SYSTEMS: dict[str, tuple[str, float, float, float]] = {
+    "EPSG:4326": ("EPSG:4326", 14.0, 47.0, 0.01),
+    "EPSG:4269": ("EPSG:4269", -122.0, 42.0, 0.01),
+    "EPSG:4267": ("EPSG:4267", -122.0, 42.0, 0.01),
+    "EPSG:32633": ("EPSG:32633", 500_000.0, 5_200_000.0, 30.0),
+    "EPSG:32719": ("EPSG:32719", 400_000.0, 7_200_000.0, 30.0),
+    "EPSG:26910": ("EPSG:26910", 500_000.0, 5_200_000.0, 30.0),
+    "EPSG:3031": ("EPSG:3031", -1_000_000.0, 900_000.0, 500.0),
+    "EPSG:3413": ("EPSG:3413", -500_000.0, -900_000.0, 500.0),
+    "EPSG:3857": ("EPSG:3857", 1_500_000.0, 6_000_000.0, 30.0),
+    "EPSG:3035": ("EPSG:3035", 4_500_000.0, 2_700_000.0, 100.0),
+    "EPSG:5070": ("EPSG:5070", -2_000_000.0, 2_700_000.0, 100.0),
+    "Mars in degrees": (MARS, 220.0, 20.0, 0.05),
+    "Mars, equirectangular": (MARS_SPHERE, -1_000_000.0, 600_000.0, 463.0),
+    "Moon's south pole": (MOON_POLE, -30_000.0, 40_000.0, 240.0),
+    "state plane in feet": (STATE_PLANE, 8_000_000.0, 700_000.0, 100.0),
+    "Bessel's ellipsoid": (AUSTRIA, 100_000.0, 200_000.0, 25.0),
+}
+"""The system, and x, y and the step of the upper left corner in its own unit."""
+
+
+@pytest.mark.parametrize("south_up", [False, True])
+@pytest.mark.parametrize("points", [False, True])
+@pytest.mark.parametrize("system", SYSTEMS)
+def test_places_are_where_rasterio_has_them(
+    tmp_path: Path, system: str, points: bool, south_up: bool
+) -> None:
+    crs, x, y, step = SYSTEMS[system]
+    path = tmp_path / "grid.tif"
+    transform = rasterio.Affine(step, 0, x, 0, step if south_up else -step, y)
+    with rasterio.open(
+        path,
+        "w",
+        driver="GTiff",
+        width=COLUMNS,
+        height=ROWS,
+        count=1,
+        dtype="int16",
+        crs=crs,
+        transform=transform,
+        nodata=-9999,
+    ) as file:
+        if points:
+            file.update_tags(AREA_OR_POINT="Point")
+        file.write(heights("int16"))
+    grid = read_geotiff(path)
+    place = grid.georeference
+    with rasterio.open(path) as file:
+        unit = file.crs.linear_units_factor[1] if file.crs.is_projected else 1.0
+        ellipsoid = {key: file.crs.to_dict().get(key) for key in ("a", "b", "R")}
+        for column, row in [(0, 0), (COLUMNS - 1, 0), (30, ROWS - 1), (55, 41)]:
+            file_row = ROWS - 1 - row if south_up else row
+            expected = file.xy(file_row, column)
+            found = (place.x(column) / unit, place.y(row) / unit)
+            assert found == pytest.approx(expected, rel=1e-12, abs=1e-9 * step)
+            assert grid.open().elevation(column, row) == file.read(1)[file_row, column]
+            _check_longitude_and_latitude(file.crs, grid, column, row, expected)
+    assert place.registration == ("points" if points else "cells")
+    radius = ellipsoid["a"] or ellipsoid["R"]
+    assert radius is None or place.ellipsoid.semi_major == pytest.approx(radius)
+
+
+def _check_longitude_and_latitude(
+    crs: Any, grid: ElevationGrid, column: int, row: int, place: tuple[float, float]
+) -> None:
+    """Compare with PROJ where the projection is known here."""
+    found = grid.georeference.longitude_latitude(column, row)
+    if grid.georeference.projection.name == "unknown projection":
+        return
+    assert found is not None
+    ellipsoid = grid.georeference.ellipsoid
+    below = crs.to_wkt()
+    geographic = below[below.index("GEOGCS[") :] if "PROJCS[" in below else below
+    depth = 0
+    for end, letter in enumerate(geographic):
+        depth += (letter == "[") - (letter == "]")
+        if letter == "]" and depth == 0:
+            geographic = geographic[: end + 1]
+            break
+    longitudes, latitudes = rasterio.warp.transform(
+        crs, rasterio.crs.CRS.from_wkt(geographic), [place[0]], [place[1]]
+    )
+    metres = ellipsoid.degree_of_latitude(latitudes[0])
+    assert ((found[0] - longitudes[0] + 180.0) % 360.0 - 180.0) * metres == pytest.approx(0.0, abs=0.01)
+    assert (found[1] - latitudes[0]) * metres == pytest.approx(0.0, abs=0.01)
