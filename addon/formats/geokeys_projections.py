@@ -11,7 +11,6 @@ import math
 from dataclasses import dataclass, fields
 from typing import Any
 
-from .ellipsoid import Ellipsoid
 from .geokeys import GeoKeys, Key
 from .projections import KINDS, Projection, Unknown
 
@@ -44,20 +43,34 @@ LENGTHS = {
 NUMBERS = {"scale_factor": (Key.ProjScaleAtNatOrigin, Key.ProjScaleAtCenter)}
 """Which keys may hold a parameter, the usual one first: writers differ."""
 
-POLAR_STEREOGRAPHIC, STEREOGRAPHIC = "polar stereographic", "stereographic"
+POLAR_STEREOGRAPHIC, STEREOGRAPHIC = "polar stereographic", "oblique stereographic"
+CONFORMAL_CONIC, EQUAL_AREA_CONIC = "Lambert conformal conic", "Albers equal area"
+EQUAL_AREA_AZIMUTHAL = "Lambert azimuthal equal area"
+
+ONE_PARALLEL = 9
+"""Code of the conformal conic whose standard parallel is its latitude of origin."""
+
+NEEDED = {
+    POLAR_STEREOGRAPHIC: ("latitude_of_origin",),
+    STEREOGRAPHIC: ("latitude_of_origin",),
+    CONFORMAL_CONIC: ("standard_parallel_1",),
+    EQUAL_AREA_CONIC: ("standard_parallel_1", "standard_parallel_2"),
+    EQUAL_AREA_AZIMUTHAL: ("latitude_of_origin",),
+}
+"""Parameters without which places would be guessed."""
 
 METHODS = {
     1: "transverse Mercator",
     7: "Mercator",
-    8: "Lambert conformal conic",
-    9: "Lambert conformal conic",
-    10: "Lambert azimuthal equal-area",
-    11: "Albers equal-area conic",
+    8: CONFORMAL_CONIC,
+    ONE_PARALLEL: CONFORMAL_CONIC,
+    10: EQUAL_AREA_AZIMUTHAL,
+    11: EQUAL_AREA_CONIC,
     12: "azimuthal equidistant",
     13: "equidistant conic",
     14: STEREOGRAPHIC,
     15: POLAR_STEREOGRAPHIC,
-    16: "oblique stereographic",
+    16: "double stereographic",
     17: "equirectangular",
     18: "Cassini-Soldner",
     19: "gnomonic",
@@ -71,8 +84,6 @@ METHODS = {
 }
 """Names of projections, some of which are in ``KINDS``, by the code of ProjMethod."""
 
-WEB_MERCATOR_SPHERE = Ellipsoid.sphere(6_378_137.0)
-
 
 @dataclass(frozen=True)
 class ProjectedCode:
@@ -82,8 +93,6 @@ class ProjectedCode:
     geodetic: int
     """Code of the geodetic system below it."""
     projection: Projection
-    ellipsoid: Ellipsoid | None = None
-    """Where it is not the geodetic system's own."""
 
 
 def projection_of_keys(keys: GeoKeys, degrees: float, metres: float) -> tuple[Projection, str]:
@@ -104,18 +113,30 @@ def projection_of_keys(keys: GeoKeys, degrees: float, metres: float) -> tuple[Pr
                 parameters[name] = number * unit
     if kind in {POLAR_STEREOGRAPHIC, STEREOGRAPHIC}:
         kind = _about_a_pole(kind, parameters)
+    if kind == CONFORMAL_CONIC:
+        _with_two_parallels(code, parameters)
+    if any(name not in parameters for name in NEEDED.get(kind, ())):
+        return Unknown(), kind
     return made(kind, parameters), kind
 
 
 def _about_a_pole(kind: str, parameters: dict[str, float]) -> str:
     """Tell the pole from the latitude of true scale: writers have one key for either."""
-    latitude = parameters.get("latitude_of_origin", 90.0)
-    if kind == STEREOGRAPHIC and abs(latitude) != 90.0:
+    latitude = parameters.get("latitude_of_origin")
+    if latitude is None or (kind == STEREOGRAPHIC and abs(latitude) != 90.0):
         return kind
     if abs(latitude) != 90.0:
         parameters.setdefault("standard_parallel_1", latitude)
     parameters["latitude_of_origin"] = math.copysign(90.0, latitude)
     return POLAR_STEREOGRAPHIC
+
+
+def _with_two_parallels(code: int, parameters: dict[str, float]) -> None:
+    """Name both standard parallels of a conformal cone, where there is one only too."""
+    if code == ONE_PARALLEL and "latitude_of_origin" in parameters:
+        parameters["standard_parallel_1"] = parameters["latitude_of_origin"]
+    if "standard_parallel_1" in parameters:
+        parameters.setdefault("standard_parallel_2", parameters["standard_parallel_1"])
 
 
 def made(kind: str, parameters: dict[str, float]) -> Projection:
@@ -182,12 +203,12 @@ _CODES = {
     3031: ProjectedCode("WGS 84 / Antarctic Polar Stereographic", 4326, _polar(-71.0, 0.0)),
     3413: ProjectedCode("WGS 84 / NSIDC Sea Ice Polar Stereographic North", 4326, _polar(70.0, -45.0)),
     3995: ProjectedCode("WGS 84 / Arctic Polar Stereographic", 4326, _polar(71.0, 0.0)),
-    3857: ProjectedCode("WGS 84 / Pseudo-Mercator", 4326, made("Mercator", {}), WEB_MERCATOR_SPHERE),
+    3857: ProjectedCode("WGS 84 / Pseudo-Mercator", 4326, made("web Mercator", {})),
     3035: ProjectedCode(
         "ETRS89-extended / LAEA Europe",
         4258,
         made(
-            "Lambert azimuthal equal-area",
+            EQUAL_AREA_AZIMUTHAL,
             {
                 "latitude_of_origin": 52.0,
                 "central_longitude": 10.0,
@@ -200,7 +221,7 @@ _CODES = {
         "NAD83 / Conus Albers",
         4269,
         made(
-            "Albers equal-area conic",
+            EQUAL_AREA_CONIC,
             {
                 "standard_parallel_1": 29.5,
                 "standard_parallel_2": 45.5,

@@ -147,7 +147,7 @@ def _projected(keys: GeoKeys, notes: list[str]) -> _Horizontal:
     if known is not None:
         datum = GEODETIC[known.geodetic]
         _note_unknown(known.projection, known.name, notes)
-        return _Horizontal(known.projection, known.ellipsoid or datum.ellipsoid, metres, 0.0, known.name)
+        return _Horizontal(known.projection, datum.ellipsoid, metres, 0.0, known.name)
     datum = _datum(keys, None if code in {UNDEFINED, USER_DEFINED} else code, notes)
     projection, kind = projection_of_keys(keys, _degrees(keys), metres)
     # Most files with a code that is not known here define what it means by no other keys.
@@ -158,7 +158,7 @@ def _projected(keys: GeoKeys, notes: list[str]) -> _Horizontal:
             "they are not told."
         )
         projection = Unknown()
-    name = keys.text(Key.ProjectedCitation) or keys.text(Key.GTCitation)
+    name = _name(keys, Key.ProjectedCitation, Key.GTCitation) or kind
     return _Horizontal(projection, datum.ellipsoid, metres, 0.0, name)
 
 
@@ -172,7 +172,7 @@ def _note_unknown(projection: Projection, name: str, notes: list[str]) -> None:
 
 def _datum(keys: GeoKeys, projected: int | None, notes: list[str]) -> Datum:
     """Find name and ellipsoid: stated axes first, then the codes of system, datum and ellipsoid."""
-    name = keys.text(Key.GeodeticCitation) or keys.text(Key.GTCitation)
+    name = _name(keys, Key.GeodeticCitation, Key.GTCitation)
     stated = _stated_ellipsoid(keys)
     code = keys.code(Key.GeodeticCRS)
     known = GEODETIC.get(code) or DATUMS.get(keys.code(Key.GeodeticDatum))
@@ -187,6 +187,15 @@ def _datum(keys: GeoKeys, projected: int | None, notes: list[str]) -> Datum:
     what = "The datum" if missing is None else f"The datum (EPSG:{missing})"
     notes.append(f"{what} is not known here: the ellipsoid of WGS 84 is assumed.")
     return Datum(name or ("" if missing is None else f"EPSG:{missing}"), WGS_84)
+
+
+def _name(keys: GeoKeys, *places: Key) -> str:
+    """Give the first name that is one; GDAL writes ``GCS Name = Mars 2000|Datum = ...`` and ``unknown``."""
+    for key in places:
+        name = keys.text(key).split("|")[0].removeprefix("GCS Name = ").strip()
+        if name.lower() not in {"", "unknown", "unnamed"}:
+            return name
+    return ""
 
 
 def _stated_ellipsoid(keys: GeoKeys) -> Ellipsoid | None:

@@ -170,6 +170,14 @@ STATE_PLANE = (
     "+proj=lcc +lat_1=44.3333 +lat_2=46 +lat_0=43.6666 +lon_0=-120.5 +x_0=2500000 +datum=NAD83 +units=us-ft"
 )
 AUSTRIA = "+proj=tmerc +lat_0=0 +lon_0=13.3333 +k=1 +x_0=0 +y_0=-5000000 +ellps=bessel +units=m"
+ONE_PARALLEL = (
+    "+proj=lcc +lat_1=46.5 +lat_0=46.5 +lon_0=0 +k_0=0.99987742 +x_0=600000 +y_0=2200000 +ellps=clrk80"
+)
+ALBERS = "+proj=aea +lat_0=23 +lon_0=-96 +lat_1=29.5 +lat_2=45.5 +x_0=0 +y_0=0 +datum=NAD83 +units=m"
+MERCATOR = "+proj=merc +lon_0=110 +k=0.997 +x_0=3900000 +y_0=900000 +ellps=bessel +units=m"
+TRUE_MERCATOR = "+proj=merc +lat_ts=-41 +lon_0=100 +x_0=0 +y_0=0 +datum=WGS84 +units=m"
+SINUSOIDAL = "+proj=sinu +lon_0=0 +x_0=0 +y_0=0 +R=3396190 +units=m"
+OBLIQUE = "+proj=stere +lat_0=18 +lon_0=133 +k=1 +x_0=0 +y_0=0 +R=3396190 +units=m"
 SYSTEMS: dict[str, tuple[str, float, float, float]] = {
     "EPSG:4326": ("EPSG:4326", 14.0, 47.0, 0.01),
     "EPSG:4269": ("EPSG:4269", -122.0, 42.0, 0.01),
@@ -187,6 +195,12 @@ SYSTEMS: dict[str, tuple[str, float, float, float]] = {
     "Moon's south pole": (MOON_POLE, -30_000.0, 40_000.0, 240.0),
     "state plane in feet": (STATE_PLANE, 8_000_000.0, 700_000.0, 100.0),
     "Bessel's ellipsoid": (AUSTRIA, 100_000.0, 200_000.0, 25.0),
+    "cone of one parallel": (ONE_PARALLEL, 700_000.0, 2_300_000.0, 50.0),
+    "Albers' cone": (ALBERS, -2_000_000.0, 2_700_000.0, 100.0),
+    "Mercator": (MERCATOR, 3_700_000.0, 800_000.0, 100.0),
+    "Mercator, true at a parallel": (TRUE_MERCATOR, 300_000.0, -3_000_000.0, 100.0),
+    "Mars, sinusoidal": (SINUSOIDAL, 500_000.0, 1_300_000.0, 463.0),
+    "Mars, about Olympus Mons": (OBLIQUE, -300_000.0, 300_000.0, 463.0),
 }
 """The system, and x, y and the step of the upper left corner in its own unit."""
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import math
 import random
 from pathlib import Path
@@ -597,6 +598,31 @@ def test_other_files_are_refused_in_words(tmp_path: Path, name: str, data: bytes
     path = tmp_path / name
     path.write_bytes(data)
     assert found in str(refused(path))
+
+
+@pytest.mark.parametrize("seed", range(15))
+def test_a_damaged_file_is_read_or_refused_in_words(tmp_path: Path, seed: int) -> None:
+    chance = random.Random(seed)
+    path = tmp_path / "damaged.tif"
+    for _ in range(10):
+        file = TiffFile(
+            rough(9, 8),
+            compression=chance.choice([1, 5, 8, 32773]),
+            tile=chance.choice([None, (4, 4)]),
+            big=chance.random() < 0.3,
+            order=chance.choice(["<", ">"]),
+            keys={**WGS_84, 2049: "Mars", 2057: 3396190.0, 2059: 169.8, 4096: 5703},
+            tags={42112: (ASCII, '<Item name="SCALE" sample="0" role="scale">0.5</Item>')},
+        )
+        data = bytearray(file.data())
+        for _ in range(chance.randrange(1, 5)):
+            place = chance.randrange(len(data))
+            data[place : place + 4] = chance.choice([b"\xff\xff\xff\xff", bytes(4), chance.randbytes(4)])
+        path.write_bytes(data)
+        with contextlib.suppress(FormatError):
+            grid = read_geotiff(path)
+            if grid.layout.samples < 1 << 20:
+                grid.open()
 
 
 def test_folders_and_missing_files_are_refused_in_words(tmp_path: Path) -> None:
