@@ -33,6 +33,8 @@ LONELY = 1_000.0
 MOST_LOOKED_AT = 1 << 24
 """Samples that are looked at to find what the file does not say; beyond, bands of rows all over it."""
 
+MOST_BANDS = 16
+
 
 def stated_void(tags: Tags) -> tuple[float | None, list[str]]:
     """Read the tag GDAL_NODATA: the stored value, and what to say of it.
@@ -100,15 +102,16 @@ def _bands(tiff: GeoTiff, layout: GridLayout) -> list[tuple[int, int]]:
     """Choose the rows that are looked at: (first, number), all of them if they are not too many."""
     if layout.samples <= MOST_LOOKED_AT:
         return [(0, layout.rows)]
+    if layout.columns > MOST_LOOKED_AT // 2:
+        return []
+    # Whole strips or tiles where they are small enough: part of one costs as much.
     height = max(tiff.chunk[1], 2)
-    count = max(1, MOST_LOOKED_AT // (height * layout.columns))
-    rows = min(height, max(2, MOST_LOOKED_AT // layout.columns), layout.rows)
+    rows = max(1, MOST_LOOKED_AT // MOST_BANDS // layout.columns // height) * height
+    count = min(MOST_BANDS, max(1, MOST_LOOKED_AT // (rows * layout.columns)))
+    rows = min(rows, max(2, MOST_LOOKED_AT // layout.columns), layout.rows)
     last = layout.rows - rows
-    if count == 1:
-        return [(0, rows)]
-    # Whole strips or tiles: part of one costs as much.
-    firsts = {last * band // (count - 1) // height * height for band in range(count)}
-    return [(first, min(rows, layout.rows - first)) for first in sorted(firsts) if layout.rows - first >= 2]
+    firsts = {last * band // max(1, count - 1) // height * height for band in range(count)}
+    return [(first, rows) for first in sorted(firsts)]
 
 
 def _lowest(

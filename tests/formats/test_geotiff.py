@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 from proxygraph import CancelledError, DecodeError, GeoTiff, GridLayout, Progress
 
-from addon.formats import ElevationGrid, FormatError, Region
+from addon.formats import ElevationGrid, FormatError, Region, geotiff_nodata
 from addon.formats.geotiff import is_geotiff, read_geotiff
 from tests.formats.megdr_pair import rough
 from tests.formats.tiff_file import ASCII, DOUBLE, LONG, SHORT, WGS_84, TiffFile
@@ -426,6 +426,25 @@ def test_customary_voids_that_the_file_does_not_state_are_holes_and_a_note_says_
     )
     assert read_back(grid) == [[None, 20], [30, None]]
     assert any(f"{void:g}" in note for note in grid.notes)
+
+
+@pytest.mark.parametrize("compression", [1, 8])
+@pytest.mark.parametrize(("tile", "rows_per_strip"), [(None, 1), (None, 3), (None, 400), ((16, 16), 0)])
+@pytest.mark.parametrize("most", [8, 64, 500, 2_000])
+def test_of_a_large_raster_bands_are_looked_at_and_a_note_says_so(
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    most: int,
+    tile: tuple[int, int] | None,
+    rows_per_strip: int,
+    compression: int,
+) -> None:
+    monkeypatch.setattr(geotiff_nodata, "MOST_LOOKED_AT", most)
+    heights = [[-9999] + [5] * 3 for _ in range(700)]
+    file = TiffFile(heights, compression=compression, tile=tile, rows_per_strip=rows_per_strip, keys=METRES)
+    grid = read_geotiff(file.write(tmp_path))
+    assert grid.open().elevation(0, 650) is None
+    assert any("as far as was looked at" in note for note in grid.notes)
 
 
 def test_a_trench_that_reaches_a_customary_value_is_no_hole(tmp_path: Path) -> None:
