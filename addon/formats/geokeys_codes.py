@@ -42,6 +42,8 @@ _ETRS89 = Frame("ETRS89", GRS_80)
 _WGS_72 = Frame("WGS 72", ELLIPSOIDS[7043])
 _GDA94 = Frame("GDA94", GRS_80)
 _GDA2020 = Frame("GDA2020", GRS_80)
+_ED50 = Frame("ED50", ELLIPSOIDS[7022])
+_OSGB36 = Frame("OSGB36", ELLIPSOIDS[7001])
 
 GEODETIC = {
     4326: _WGS_84,
@@ -52,6 +54,11 @@ GEODETIC = {
     4322: _WGS_72,
     4283: _GDA94,
     7844: _GDA2020,
+    6318: Frame("NAD83(2011)", GRS_80),
+    4230: _ED50,
+    4277: _OSGB36,
+    4171: Frame("RGF93", GRS_80),
+    4167: Frame("NZGD2000", GRS_80),
 }
 """Geodetic coordinate reference systems."""
 

@@ -164,30 +164,41 @@ def projection_of_code(code: int) -> ProjectedCode | None:
 
 
 def _utm(code: int) -> ProjectedCode | None:
-    """Zones of UTM: the last two digits of the code are the zone's number."""
-    family, zone = divmod(code, 100)
-    if family not in _UTM or zone not in _UTM[family][2]:
-        return None
-    name, geodetic, _, is_north = _UTM[family]
+    """Zones of UTM, whose codes follow one another."""
+    for name, geodetic, before, zones, is_north in _UTM:
+        zone = code - before
+        if zone in zones:
+            side = "N" if is_north else "S"
+            projection = _transverse(0.0, 6.0 * zone - 183.0, 0.9996, 500_000.0, 0.0 if is_north else 1e7)
+            return ProjectedCode(f"{name} / UTM zone {zone}{side}", geodetic, projection)
+    return None
+
+
+_UTM = (
+    ("WGS 84", 4326, 32600, range(1, 61), True),
+    ("WGS 84", 4326, 32700, range(1, 61), False),
+    ("NAD83", 4269, 26900, range(1, 24), True),
+    ("NAD83(2011)", 6318, 6329, range(1, 20), True),
+    ("NAD27", 4267, 26700, range(1, 23), True),
+    ("ETRS89", 4258, 25800, range(28, 39), True),
+    ("ED50", 4230, 23000, range(28, 39), True),
+    ("GDA94 / MGA", 4283, 28300, range(48, 59), False),
+    ("GDA2020 / MGA", 7844, 7800, range(46, 60), False),
+)
+"""Datum, its code, the code before zone 1, zones, and whether they are of the north."""
+
+
+def _transverse(
+    latitude: float, longitude: float, scale: float, easting: float, northing: float
+) -> Projection:
     parameters = {
-        "central_longitude": 6.0 * zone - 183.0,
-        "latitude_of_origin": 0.0,
-        "scale_factor": 0.9996,
-        "false_easting": 500_000.0,
-        "false_northing": 0.0 if is_north else 10_000_000.0,
+        "latitude_of_origin": latitude,
+        "central_longitude": longitude,
+        "scale_factor": scale,
+        "false_easting": easting,
+        "false_northing": northing,
     }
-    side = "N" if is_north else "S"
-    return ProjectedCode(f"{name} / UTM zone {zone}{side}", geodetic, made("transverse Mercator", parameters))
-
-
-_UTM = {
-    326: ("WGS 84", 4326, range(1, 61), True),
-    327: ("WGS 84", 4326, range(1, 61), False),
-    269: ("NAD83", 4269, range(1, 24), True),
-    267: ("NAD27", 4267, range(1, 23), True),
-    258: ("ETRS89", 4258, range(28, 39), True),
-}
-"""By the code without its last two digits: datum, its code, zones, and whether they are of the north."""
+    return made("transverse Mercator", parameters)
 
 
 def _polar(latitude: float, longitude: float) -> Projection:
@@ -200,6 +211,27 @@ def _polar(latitude: float, longitude: float) -> Projection:
 
 
 _CODES = {
+    27700: ProjectedCode(
+        "OSGB36 / British National Grid", 4277, _transverse(49.0, -2.0, 0.9996012717, 400_000.0, -100_000.0)
+    ),
+    2193: ProjectedCode(
+        "NZGD2000 / New Zealand Transverse Mercator", 4167, _transverse(0.0, 173.0, 0.9996, 1_600_000.0, 1e7)
+    ),
+    2154: ProjectedCode(
+        "RGF93 / Lambert-93",
+        4171,
+        made(
+            CONFORMAL_CONIC,
+            {
+                "standard_parallel_1": 49.0,
+                "standard_parallel_2": 44.0,
+                "latitude_of_origin": 46.5,
+                "central_longitude": 3.0,
+                "false_easting": 700_000.0,
+                "false_northing": 6_600_000.0,
+            },
+        ),
+    ),
     3031: ProjectedCode("WGS 84 / Antarctic Polar Stereographic", 4326, _polar(-71.0, 0.0)),
     3413: ProjectedCode("WGS 84 / NSIDC Sea Ice Polar Stereographic North", 4326, _polar(70.0, -45.0)),
     3995: ProjectedCode("WGS 84 / Arctic Polar Stereographic", 4326, _polar(71.0, 0.0)),

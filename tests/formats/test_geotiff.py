@@ -334,9 +334,9 @@ def test_codes_of_projected_systems(tmp_path: Path, code: int, name: str, body: 
 
 
 def test_a_code_that_is_not_known_is_named_and_touch_is_right(tmp_path: Path) -> None:
-    grid = read_geotiff(TiffFile(rough(4, 5), keys={1024: 1, 3072: 2193, 3076: 9001}).write(tmp_path))
+    grid = read_geotiff(TiffFile(rough(4, 5), keys={1024: 1, 3072: 2056, 3076: 9001}).write(tmp_path))
     assert grid.georeference.projection.name == "unknown projection"
-    assert any("EPSG:2193" in note for note in grid.notes)
+    assert any("EPSG:2056" in note for note in grid.notes)
     assert grid.layout.cell_width == 0.5
 
 
