@@ -11,6 +11,7 @@ from .decoding import Decoding
 from .esri_ascii_decoder import decode_esri_ascii
 from .raw_decoder import decode_raw
 from .usgs_dem_decoder import decode_usgs_dem
+from .geotiff_decoder import decode_geotiff
 
 Decoder = Callable[[Path, GridLayout, Decoding, Progress | None], Grid]
 """Takes the data file, the packed layout that is wanted, the decoding, and where to tell progress.
@@ -20,6 +21,7 @@ Raises ``DecodeError`` (field, found, expected), ``GridError``, ``OSError`` or `
 
 DECODERS: dict[str, Decoder] = {
     "esri_ascii": decode_esri_ascii,
+    "geotiff": decode_geotiff,
     "raw": decode_raw,
     "usgs_dem": decode_usgs_dem,
 }

@@ -67,6 +67,105 @@ class Progress:
         """
 
 @final
+class GeoTiff:
+    """A TIFF file whose first directory was read; its samples were not.
+
+    Strips and tiles; none, LZW, deflate and PackBits compression; predictors 1 to 3; both byte orders; BigTIFF.
+    """
+
+    @staticmethod
+    def open(path: str | os.PathLike[str]) -> GeoTiff:
+        """Read the header and the first directory, and check that every strip or tile lies in the file.
+
+        Raises:
+            DecodeError: it is no TIFF, or one that cannot be decoded here.
+            OSError: it cannot be read.
+        """
+    @property
+    def rows(self) -> int:
+        """At least 1."""
+    @property
+    def columns(self) -> int:
+        """At least 1."""
+    @property
+    def bands(self) -> int:
+        """Values for each place, at least 1; the first is what is decoded."""
+    @property
+    def planar(self) -> bool:
+        """Whether each of several bands lies by itself."""
+    @property
+    def stored(self) -> Literal["u8", "i8", "u16", "i16", "u32", "i32", "f32", "f64"]:
+        """The number format in the file."""
+    @property
+    def sample(self) -> SampleType:
+        """The sample type that ``decode`` gives, which holds every value of ``stored``."""
+    @property
+    def byte_order(self) -> ByteOrder:
+        """Of the file."""
+    @property
+    def big(self) -> bool:
+        """Whether it is a BigTIFF."""
+    @property
+    def compression(self) -> Literal["none", "LZW", "deflate", "PackBits"]: ...
+    @property
+    def predictor(self) -> int:
+        """1 none, 2 horizontal, 3 floating point."""
+    @property
+    def tiled(self) -> bool:
+        """Whether the samples lie in tiles, not in strips."""
+    @property
+    def chunk(self) -> tuple[int, int]:
+        """Columns and rows of a tile or strip."""
+    @property
+    def photometric(self) -> int | None:
+        """The tag PhotometricInterpretation: 2 for red, green and blue, 3 for a colour table."""
+    @property
+    def in_place(self) -> tuple[int, int] | None:
+        """Bytes before the first sample, and from one row to the next, where ``Grid.open`` can map the first band.
+
+        ``None`` where it must be decoded: it is compressed, in pieces, beside others, or of a type that
+        ``GridLayout`` does not have.
+        """
+    def numbers(self, tag: int) -> list[float] | None:
+        """The numbers of a tag, of whatever numeric type; ``None`` where the file has no such tag.
+
+        Raises:
+            DecodeError: the tag is a text, has more than 65,536 values, or points out of the file.
+        """
+    def text(self, tag: int) -> str | None:
+        """The text of a tag without NULs at its end; ``None`` where the file has no such tag.
+
+        Raises:
+            DecodeError: the tag has numbers, more than 16 MiB, or points out of the file.
+        """
+    def decode(
+        self,
+        layout: GridLayout,
+        first_column: int = 0,
+        first_row: int = 0,
+        *,
+        south_up: bool = False,
+        fill: float = 0.0,
+        progress: Progress | None = None,
+        cache: str | os.PathLike[str] | None = None,
+    ) -> Grid:
+        """Decode the strips or tiles that a region needs (without the GIL).
+
+        Args:
+            layout: of the grid that is made: rows and columns of the region, and ``sample`` as above.
+            first_column: of the region; columns beyond the file's last go on at its first.
+            first_row: of the region, counted from the north.
+            south_up: whether the file's first row is its southernmost: rows are turned over.
+            fill: the stored value of strips and tiles that the file leaves out.
+            cache: a file to decode into, which is then mapped; ``None`` decodes into memory.
+
+        Raises:
+            DecodeError: samples are damaged or missing, or the region is not on the raster.
+            CancelledError: ``progress`` was asked to end.
+            OSError: a file cannot be read or written; a full disk too.
+        """
+
+@final
 class UsgsDem:
     """A USGS digital elevation model as text: its A record was read, its profiles were found and looked at.
 

@@ -9,6 +9,7 @@
 mod error;
 pub mod esri_ascii;
 mod fill;
+pub mod geotiff;
 mod pen;
 mod progress;
 mod raw;
@@ -22,4 +23,4 @@ pub use error::DecodeError;
 pub use fill::fill;
 pub use progress::Progress;
 pub use raw::{RawSample, RawSamples};
-pub use target::Target;
+pub use target::{Band, Target};

@@ -1,10 +1,12 @@
 //! Decoders: what they share.
 
 mod esri_ascii;
+mod geotiff;
 mod raw_samples;
 mod usgs_dem;
 
 pub use esri_ascii::EsriAscii;
+pub use geotiff::GeoTiff;
 pub use raw_samples::RawSamples;
 pub use usgs_dem::UsgsDem;
 

@@ -31,7 +31,7 @@ mod module {
     #[pymodule_export]
     use crate::decode::{CancelledError, DecodeError, Progress};
     #[pymodule_export]
-    use crate::decode::{EsriAscii, RawSamples, UsgsDem};
+    use crate::decode::{EsriAscii, GeoTiff, RawSamples, UsgsDem};
     #[pymodule_export]
     use crate::devices::{ScriptedDevice, SimulatedDevice};
     #[pymodule_export]
