@@ -1,0 +1,111 @@
+"""What a map's coordinates mean: from a ``.prj`` file beside the data, or assumed where there is none."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from pathlib import Path
+
+from .data_beside import first_beside
+from .ellipsoid import Ellipsoid
+from .file_bytes import read_head
+from .georeference import Georeference, LatitudeKind, Registration
+from .projections import Geographic, Projection, Unknown
+from .stored_samples import Refuse
+
+WGS84 = Ellipsoid.flattened(6_378_137.0, 298.257223563)
+"""World Geodetic System 1984 (NIMA TR8350.2)."""
+
+MAXIMUM_BYTES = 64 << 10
+"""Of a ``.prj`` file; they have some 500."""
+
+
+@dataclass(frozen=True)
+class MapFrame:
+    """Body, projection and datum of a map."""
+
+    body: str
+    ellipsoid: Ellipsoid
+    projection: Projection
+    frame: str = ""
+    vertical_reference: str = "mean sea level"
+    latitude_kind: LatitudeKind = "planetographic"
+    notes: tuple[str, ...] = ()
+
+    def georeference(
+        self,
+        first_x: float,
+        first_y: float,
+        step_x: float,
+        step_y: float,
+        registration: Registration,
+        refuse: Refuse,
+        rows: int,
+    ) -> Georeference:
+        """The place of a grid on this map; refuses what is beyond any body."""
+        last_y = first_y - (rows - 1) * step_y
+        sane = all(math.isfinite(number) and abs(number) < 1e12 for number in (first_x, first_y, last_y))
+        if not sane or not (0.0 < step_x < 1e9 and 0.0 < step_y < 1e9):
+            raise refuse(
+                "place of the first cell",
+                f"{first_x:g}, {first_y:g} in steps of {step_x:g}, {step_y:g}",
+                "coordinates on a planet",
+                "Mend the header.",
+            )
+        if self.projection.in_degrees and not (-90.0 - step_y < last_y and first_y < 90.0 + step_y):
+            raise refuse(
+                "latitudes", f"{last_y:g} to {first_y:g}", "latitudes within +-90", "Mend the header."
+            )
+        return Georeference(
+            body=self.body,
+            ellipsoid=self.ellipsoid,
+            projection=self.projection,
+            first_x=first_x,
+            first_y=first_y,
+            step_x=step_x,
+            step_y=step_y,
+            vertical_reference=self.vertical_reference,
+            latitude_kind=self.latitude_kind,
+            registration=registration,
+            frame=self.frame,
+        )
+
+
+GEOGRAPHIC_WGS84 = MapFrame("Earth", WGS84, Geographic(), "WGS 84, longitude and latitude")
+
+
+def frame_beside(data_path: Path, first_x: float, first_y: float, step_x: float, columns: int) -> MapFrame:
+    """Follow the ``.prj`` file beside the data; where there is none, see whether these may be degrees."""
+    beside = first_beside(data_path, [".prj"])
+    if beside is not None:
+        frame = frame_of_text(read_head(beside, MAXIMUM_BYTES).decode("latin-1"), beside.name)
+        if frame is not None:
+            return frame
+    told = f"{beside.name} is not understood" if beside is not None else "There is no .prj file"
+    return assumed_frame(told, first_x, first_y, step_x, columns)
+
+
+def frame_of_text(text: str, name: str) -> MapFrame | None:
+    """The frame that a ``.prj`` file or a coordinate system string states; ``None`` where it is not understood.
+
+    The only place that knows who follows such texts.
+    """
+    words = text.upper()
+    if words.lstrip().startswith("GEOGCS") and "WGS" in words and "84" in words:
+        return GEOGRAPHIC_WGS84
+    keywords = {pair[0]: pair[1] for line in words.splitlines() if len(pair := line.split()) >= 2}
+    if keywords.get("PROJECTION") == "GEOGRAPHIC" and keywords.get("DATUM") in {"WGS84", "WGS_84"}:
+        return GEOGRAPHIC_WGS84
+    return None
+
+
+def assumed_frame(told: str, first_x: float, first_y: float, step_x: float, columns: int) -> MapFrame:
+    """Degrees on Earth where the numbers may be degrees; else metres of an unknown map."""
+    may_be_degrees = (
+        abs(first_y) <= 90.5 and abs(first_x) <= 360.5 and abs(first_x + columns * step_x) <= 721.0 and step_x < 10.0
+    )
+    if may_be_degrees:
+        note = f"{told}: longitude and latitude on WGS 84 are assumed."
+        return MapFrame("Earth", WGS84, Geographic(), "WGS 84 (assumed)", notes=(note,))
+    note = f"{told}: coordinates are taken for metres of an unknown map."
+    return MapFrame("", WGS84, Unknown(), vertical_reference="not stated", notes=(note,))
