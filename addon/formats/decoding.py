@@ -7,7 +7,7 @@ from typing import Any
 
 from proxygraph import GridLayout
 
-from .layout_properties import layout_properties
+from .raw_samples import RawSamples
 from .region import Region
 
 
@@ -24,9 +24,13 @@ class Decoding:
     """What else the decoder needs to know: texts, numbers, and more such dictionaries."""
 
     @staticmethod
-    def of_raw(layout: GridLayout) -> Decoding:
-        """Copy samples out of a file that could be mapped."""
-        return Decoding("raw", options={"layout": layout_properties(layout)})
+    def of_raw(samples: RawSamples | GridLayout) -> Decoding:
+        """Copy raw samples: of any type and order, or a region out of a layout that could be mapped.
+
+        The grid's layout is ``samples.decoded(...)``, or packed in the layout's own type.
+        """
+        raw = samples if isinstance(samples, RawSamples) else RawSamples.of(samples)
+        return Decoding("raw", options={"samples": raw.properties()})
 
     def cut(self, region: Region) -> Decoding:
         """A region of what this one decodes."""
