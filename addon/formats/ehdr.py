@@ -1,4 +1,4 @@
-"""EHdr rasters: a header of keywords (``.hdr``) beside raw bands (``.bil``, ``.bip``, ``.bsq``, ``.dem`` ...).
+"""EHdr rasters: a header of keywords (``.hdr``) beside raw bands (``.bil``, ``.bip``, ``.dem`` ...).
 
 GTOPO30, SRTM30 and GLOBE tiles come so. Format: Esri, "BIL, BIP, and BSQ raster files"; USGS GTOPO30
 README, sections 5 and 6: ULXMAP and ULYMAP are the centre of the first cell.
@@ -15,7 +15,8 @@ from .georeference import Georeference
 from .keyword_header import KeywordHeader, read_keyword_header
 from .map_corner import first_sample
 from .map_frame import MapFrame, frame_beside
-from .stored_samples import ByteOrder, StoredSamples, StoredType
+from .raw_samples import ByteOrder, RawSample
+from .stored_samples import StoredSamples
 
 DATA_SUFFIXES = (".dem", ".bil", ".bip", ".bsq", ".raw", ".img", ".dat", ".bin", ".grd", ".flt", "")
 
@@ -28,7 +29,7 @@ BYTE_ORDERS: dict[str, ByteOrder] = {
     "LSBFIRST": "little",
 }
 
-STORED: dict[tuple[str, int], StoredType] = {
+STORED: dict[tuple[str, int], RawSample] = {
     ("SIGNEDINT", 8): "i8",
     ("UNSIGNEDINT", 8): "u8",
     ("SIGNEDINT", 16): "i16",
@@ -60,7 +61,7 @@ def read_ehdr(header_path: Path, data_path: Path | None = None) -> ElevationGrid
     bands = header.whole("NBANDS", 1)
     check_length(
         data_path,
-        layout.byte_length if decoding is None else samples.byte_length,
+        samples.byte_length,
         f"NROWS and NCOLS in {header_path.name}",
         exact=bands == 1 and header.whole("TOTALROWBYTES", 0) in {0, samples.columns * samples.sample_bytes},
     )
@@ -104,7 +105,7 @@ def _samples(header: KeywordHeader) -> tuple[StoredSamples, tuple[str, ...]]:
     return samples, notes
 
 
-def _stored(header: KeywordHeader, bits: int) -> tuple[StoredType, tuple[str, ...]]:
+def _stored(header: KeywordHeader, bits: int) -> tuple[RawSample, tuple[str, ...]]:
     """Translate PIXELTYPE and NBITS; GTOPO30 has no PIXELTYPE, and its heights have signs."""
     kind = header.text("PIXELTYPE", "")
     notes: tuple[str, ...] = ()
@@ -135,4 +136,6 @@ def _georeference(
     step_y = header.positive(header.first_of("YDIM", "CELLSIZE", "DY") or "YDIM")
     first_x, first_y, registration = first_sample(header, samples.rows, step_x, step_y)
     frame = frame_beside(data_path, first_x, first_y, step_x, samples.columns)
-    return frame.georeference(first_x, first_y, step_x, step_y, registration, header.wrong, samples.rows), frame
+    return frame.georeference(
+        first_x, first_y, step_x, step_y, registration, header.wrong, samples.rows
+    ), frame

@@ -1,7 +1,7 @@
 """ENVI rasters: a text header (``name.hdr`` or ``name.dat.hdr``) beside raw bands.
 
-Format: "ENVI Header Files" (NV5 Geospatial documentation). In ``map info`` pixel (1, 1) is the outer corner of the
-first pixel, and (1.5, 1.5) its centre.
+Format: "ENVI Header Files" (NV5 Geospatial documentation). In ``map info`` pixel (1, 1) is the outer corner
+of the first pixel, and (1.5, 1.5) its centre.
 """
 
 from __future__ import annotations
@@ -17,11 +17,12 @@ from .georeference import Georeference
 from .map_frame import GEOGRAPHIC_WGS84, WGS84, MapFrame, assumed_frame, frame_of_text
 from .partner_file import file_in_any_case
 from .projections import Geographic, Unknown
-from .stored_samples import BITS, ByteOrder, StoredSamples, StoredType
+from .raw_samples import RAW_BYTES, ByteOrder, RawSample
+from .stored_samples import StoredSamples
 
 DATA_SUFFIXES = ("", ".dat", ".img", ".bin", ".raw", ".bsq", ".bil", ".bip", ".envi", ".dem", ".flt", ".grd")
 
-DATA_TYPES: dict[int, StoredType] = {
+DATA_TYPES: dict[int, RawSample] = {
     1: "u8",
     2: "i16",
     3: "i32",
@@ -90,7 +91,7 @@ def _samples(header: EnviHeader) -> tuple[StoredSamples, tuple[str, ...]]:
         expected = ", ".join(str(known) for known in DATA_TYPES)
         raise header.wrong("data type", code, expected, "Convert the grid: only real numbers are heights.")
     stored = DATA_TYPES[code]
-    size = BITS[stored] // 8
+    size = RAW_BYTES[stored]
     rows, columns, bands = header.whole("lines"), header.whole("samples"), header.whole("bands", 1)
     interleave = header.text("interleave", "bsq").lower()
     if interleave not in {"bsq", "bil", "bip"}:
@@ -122,9 +123,7 @@ def _void(header: EnviHeader) -> float | None:
 def _byte_order(header: EnviHeader, size: int) -> ByteOrder:
     order = header.whole("byte order", 0) if size == 1 else header.whole("byte order")
     if order not in {0, 1}:
-        raise header.wrong(
-            "byte order", order, "0 (least significant byte first) or 1", "Mend the header."
-        )
+        raise header.wrong("byte order", order, "0 (least significant byte first) or 1", "Mend the header.")
     return "big" if order else "little"
 
 
@@ -148,9 +147,7 @@ def _georeference(header: EnviHeader, samples: StoredSamples) -> tuple[Georefere
         raise header.wrong(
             "map info: rotation", named["rotation"], "0", "Turn the grid north up in another program first."
         )
-    pixel_x, pixel_y, x, y, step_x, step_y = (
-        header.finite("map info", item) for item in positional[1:7]
-    )
+    pixel_x, pixel_y, x, y, step_x, step_y = (header.finite("map info", item) for item in positional[1:7])
     for field, step in (("map info: x size", step_x), ("map info: y size", step_y)):
         if step <= 0.0:
             raise header.wrong(field, f"{step:g}", "a number above 0", "Mend the header.")

@@ -47,7 +47,7 @@ def check_length(data_path: Path, needed: int, described_by: str, *, exact: bool
             "length",
             found=f"{found:,} bytes",
             expected=f"{needed:,} bytes for {described_by}",
-            way_out="It has more bytes than samples, as after a transfer as text: download it again as binary.",
+            way_out="It has bytes beyond the samples, as after a transfer as text: get it again as binary.",
         )
 
 

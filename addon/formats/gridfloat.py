@@ -17,7 +17,8 @@ from .file_bytes import check_length, read_head
 from .keyword_header import KeywordHeader, read_keyword_header
 from .map_corner import first_sample
 from .map_frame import frame_beside
-from .stored_samples import ByteOrder, StoredSamples
+from .raw_samples import ByteOrder
+from .stored_samples import StoredSamples
 
 DATA_SUFFIXES = (".flt", ".bin", ".dat", ".raw")
 
@@ -63,8 +64,10 @@ def read_gridfloat(header_path: Path, data_path: Path | None = None) -> Elevatio
     )
 
 
-def _byte_order(header: KeywordHeader, data_path: Path, void: float | None) -> tuple[ByteOrder, tuple[str, ...]]:
-    """As the header says; without BYTEORDER as the samples look, the least significant byte first by custom."""
+def _byte_order(
+    header: KeywordHeader, data_path: Path, void: float | None
+) -> tuple[ByteOrder, tuple[str, ...]]:
+    """As the header says; without BYTEORDER as the samples look, LSBFIRST by custom."""
     if "BYTEORDER" in header:
         told = header.text("BYTEORDER")
         if told not in BYTE_ORDERS:

@@ -1,8 +1,8 @@
 """SRTM heights (``.hgt``): raw samples of a degree square, placed by the file's name.
 
-Format: "SRTM Topography" (NASA/USGS, Quickstart and Documentation of SRTM version 2.1): big-endian signed 16 bits,
--32768 void; the name is the latitude and longitude of the lower left sample's centre; outer rows and columns lie on
-whole degrees and are shared with the neighbours.
+Format: "SRTM Topography" (NASA/USGS, Quickstart and Documentation of SRTM version 2.1): big-endian signed
+16 bits, -32768 void; the name is the latitude and longitude of the lower left sample's centre; outer rows and
+columns lie on whole degrees and are shared with the neighbours.
 """
 
 from __future__ import annotations
@@ -121,4 +121,3 @@ def _check(path: Path, place: HgtPosition) -> None:
             "latitudes of -90 to 89 and longitudes within +-360",
             "Give another position.",
         )
-

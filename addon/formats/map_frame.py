@@ -86,7 +86,7 @@ def frame_beside(data_path: Path, first_x: float, first_y: float, step_x: float,
 
 
 def frame_of_text(text: str, name: str) -> MapFrame | None:
-    """The frame that a ``.prj`` file or a coordinate system string states; ``None`` where it is not understood.
+    """The frame that a ``.prj`` file or a coordinate system string states; ``None``: not understood.
 
     The only place that knows who follows such texts.
     """
@@ -102,7 +102,10 @@ def frame_of_text(text: str, name: str) -> MapFrame | None:
 def assumed_frame(told: str, first_x: float, first_y: float, step_x: float, columns: int) -> MapFrame:
     """Degrees on Earth where the numbers may be degrees; else metres of an unknown map."""
     may_be_degrees = (
-        abs(first_y) <= 90.5 and abs(first_x) <= 360.5 and abs(first_x + columns * step_x) <= 721.0 and step_x < 10.0
+        abs(first_y) <= 90.5
+        and abs(first_x) <= 360.5
+        and abs(first_x + columns * step_x) <= 721.0
+        and step_x < 10.0
     )
     if may_be_degrees:
         note = f"{told}: longitude and latitude on WGS 84 are assumed."

@@ -34,7 +34,7 @@ def read_pds3(path: Path) -> ElevationGrid:
     samples, sample_notes = pds3_samples(label, image, values, offset)
     georeference, place_notes = pds3_georeference(label, samples.rows, samples.columns, values)
     layout, decoding = samples.placed(georeference, label.wrong)
-    check_length(data_path, layout.byte_length, f"LINES and LINE_SAMPLES in {label.path.name}")
+    check_length(data_path, samples.byte_length, f"LINES and LINE_SAMPLES in {label.path.name}")
     synthetic = _is_synthetic(label, image)
     return ElevationGrid(
         path=label.path,

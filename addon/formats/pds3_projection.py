@@ -112,7 +112,7 @@ class _Place:
     def from_offsets_in_degrees(self) -> Found:
         """Equirectangular maps: rows and columns are evenly spaced in degrees too, so degrees are given.
 
-        The parallel of true scale is CENTER_LATITUDE; the origin is where CENTER_LONGITUDE crosses the equator.
+        CENTER_LATITUDE is true to scale; the origin is where CENTER_LONGITUDE crosses the equator.
         """
         ellipsoid = self._ellipsoid()
         step_y = self._step() / math.radians(1.0) / ellipsoid.semi_major
@@ -152,9 +152,7 @@ class _Place:
         line, sample = self._origin()
         projection, notes = polar_stereographic(latitude, middle)
         return (
-            self._georeference(
-                projection, -sample * step, line * step, step, step, Ellipsoid.sphere(radius)
-            ),
+            self._georeference(projection, -sample * step, line * step, step, step, Ellipsoid.sphere(radius)),
             notes,
         )
 
@@ -227,9 +225,9 @@ class _Place:
     def _origin(self) -> tuple[float, float]:
         """Line and sample of the projection's origin, from 0 at the centre of the first sample.
 
-        PDS3's dictionary counts LINE_PROJECTION_OFFSET from the first line (so from 0: LOLA, HiRISE); MOLA's
-        DSMAP.CAT means the line's number (so from 1). GDAL counts from 0 always, which moves MOLA's maps by one
-        cell. Where the origin is in the middle, either way of counting is at home, and it is the middle.
+        PDS3's dictionary counts LINE_PROJECTION_OFFSET from the first line (so from 0: LOLA, HiRISE);
+        MOLA's DSMAP.CAT means the line's number (so from 1). GDAL counts from 0 always, which moves MOLA's
+        maps by one cell. Where the origin is about the middle, either way of counting means the middle.
         """
         counts_from_1 = "MOLA" in self.label.text("DATA_SET_ID", default="").upper()
         origin = []

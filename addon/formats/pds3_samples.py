@@ -6,7 +6,8 @@ import struct
 
 from .label import Label
 from .pds3_values import Pds3Values
-from .stored_samples import ByteOrder, StoredSamples, StoredType
+from .raw_samples import RAW_BYTES, ByteOrder, RawSample
+from .stored_samples import StoredSamples
 
 BIG_INTEGERS = ("MSB_INTEGER", "INTEGER", "SUN_INTEGER", "MAC_INTEGER")
 LITTLE_INTEGERS = ("LSB_INTEGER", "PC_INTEGER", "VAX_INTEGER")
@@ -25,7 +26,7 @@ SAMPLE_TYPES: dict[str, tuple[str, ByteOrder]] = {
 }
 """Names of appendix C of the Standards Reference; VAX_REAL is no IEEE number and is refused."""
 
-STORED: dict[tuple[str, int], StoredType] = {
+STORED: dict[tuple[str, int], RawSample] = {
     ("i", 8): "i8",
     ("u", 8): "u8",
     ("i", 16): "i16",
@@ -54,7 +55,7 @@ def pds3_samples(
     suffix = label.whole(*image, "LINE_SUFFIX_BYTES", default=0)
     bands = label.whole(*image, "BANDS", default=1)
     storage = label.text(*image, "BAND_STORAGE_TYPE", default="BAND_SEQUENTIAL").upper()
-    size = int(stored[1:]) // 8
+    size = RAW_BYTES[stored]
     if bands > 1 and storage not in {"BAND_SEQUENTIAL", "LINE_INTERLEAVED", "SAMPLE_INTERLEAVED"}:
         raise label.wrong("BAND_STORAGE_TYPE", storage, "BAND_SEQUENTIAL", "Choose a grid of one band.")
     bands_in_line = bands if bands > 1 and storage != "BAND_SEQUENTIAL" else 1
@@ -75,7 +76,7 @@ def pds3_samples(
     return samples, notes
 
 
-def _stored(label: Label, image: tuple[str, ...]) -> tuple[StoredType, ByteOrder]:
+def _stored(label: Label, image: tuple[str, ...]) -> tuple[RawSample, ByteOrder]:
     """Translate ``SAMPLE_TYPE`` and ``SAMPLE_BITS``."""
     name = label.text(*image, "SAMPLE_TYPE").replace(" ", "_").upper()
     if name not in SAMPLE_TYPES:
@@ -93,7 +94,7 @@ def _stored(label: Label, image: tuple[str, ...]) -> tuple[StoredType, ByteOrder
     return STORED[kind, bits], byte_order
 
 
-def _void(label: Label, image: tuple[str, ...], stored: StoredType) -> float | None:
+def _void(label: Label, image: tuple[str, ...], stored: RawSample) -> float | None:
     """The value that means "no data"; as bits where a whole number stands for a real one (16#FF7FFFFB#)."""
     for keyword in VOIDS:
         value = label.value(*image, keyword, default=None)

@@ -17,11 +17,12 @@ from .label import Units
 from .partner_file import file_in_any_case
 from .pds4_label import Pds4Label, local_name, read_pds4_label
 from .pds4_projection import pds4_georeference
-from .stored_samples import ByteOrder, StoredSamples, StoredType
+from .raw_samples import ByteOrder, RawSample
+from .stored_samples import StoredSamples
 
 ARRAYS = ("Array_2D_Image", "Array_2D_Map", "Array_2D", "Array_3D_Image", "Array_3D")
 
-DATA_TYPES: dict[str, tuple[StoredType, ByteOrder]] = {
+DATA_TYPES: dict[str, tuple[RawSample, ByteOrder]] = {
     "SignedByte": ("i8", "big"),
     "UnsignedByte": ("u8", "big"),
     "SignedMSB2": ("i16", "big"),
@@ -159,9 +160,7 @@ def _samples(label: Pds4Label, array: Element) -> tuple[StoredSamples, str, tupl
 
 def _reference(label: Pds4Label, offset: float) -> str:
     """What elevation 0 means; an offset that is the radius makes planetary radii of the samples."""
-    radius = label.optional_number(
-        "a_axis_radius", "semi_major_radius", units={"m": 1.0, "km": 1000.0}
-    )
+    radius = label.optional_number("a_axis_radius", "semi_major_radius", units={"m": 1.0, "km": 1000.0})
     if radius is not None and radius > 0.0 and abs(offset - radius) < 1e-3 * radius:
         return "centre of the body"
     return "reference surface of the body"
@@ -183,7 +182,9 @@ def _axes(label: Pds4Label, array: Element) -> dict[str, int]:
         names = ["line", "sample"]  # arrays that are no images name their axes as they like
     if names not in (["line", "sample"], ["band", "line", "sample"]):
         raise label.wrong(
-            "Axis_Array", " x ".join(names) or "nothing", "Line x Sample, or Band x Line x Sample",
+            "Axis_Array",
+            " x ".join(names) or "nothing",
+            "Line x Sample, or Band x Line x Sample",
             "Convert the grid.",
         )
     return {name: count for name, (_, _, count) in zip(names, numbered, strict=True)}
@@ -196,7 +197,7 @@ def _elements(label: Pds4Label, axis: Element) -> int:
     return int(count)
 
 
-def _stored(label: Pds4Label, element: Element) -> tuple[StoredType, ByteOrder]:
+def _stored(label: Pds4Label, element: Element) -> tuple[RawSample, ByteOrder]:
     name = label.text("data_type", within=element)
     if name not in DATA_TYPES:
         raise label.wrong("data_type", name, ", ".join(DATA_TYPES), "Convert the grid, or mend the label.")

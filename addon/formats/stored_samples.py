@@ -6,35 +6,18 @@ import math
 import struct
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Literal
 
 from proxygraph import GridError, GridLayout
 
 from .decoding import Decoding
 from .format_error import FormatError
 from .georeference import Georeference
-
-StoredType = Literal["i8", "u8", "i16", "u16", "i32", "u32", "i64", "u64", "f32", "f64"]
-MappedType = Literal["i16", "u16", "i32", "f32", "f64"]
-ByteOrder = Literal["big", "little"]
+from .raw_samples import RAW_BYTES, ByteOrder, RawSample, RawSamples, Sample
 
 Refuse = Callable[[str, object, object, str], FormatError]
 """Makes an error of a header: field, found, expected, way out."""
 
-BITS: dict[str, int] = {
-    "i8": 8,
-    "u8": 8,
-    "i16": 16,
-    "u16": 16,
-    "i32": 32,
-    "u32": 32,
-    "i64": 64,
-    "u64": 64,
-    "f32": 32,
-    "f64": 64,
-}
-
-MAPPED: dict[str, MappedType] = {"i16": "i16", "u16": "u16", "i32": "i32", "f32": "f32", "f64": "f64"}
+MAPPED: dict[RawSample, Sample] = {"i16": "i16", "u16": "u16", "i32": "i32", "f32": "f32", "f64": "f64"}
 """Types that are touched where they lie."""
 
 LARGEST_FLOAT = 3.4028234663852886e38
@@ -50,7 +33,7 @@ class StoredSamples:
 
     rows: int
     columns: int
-    stored: StoredType
+    stored: RawSample
     byte_order: ByteOrder
     offset: int = 0
     """Bytes before the first sample."""
@@ -66,61 +49,74 @@ class StoredSamples:
     @property
     def sample_bytes(self) -> int:
         """Bytes of one sample."""
-        return BITS[self.stored] // 8
+        return RAW_BYTES[self.stored]
 
     @property
     def byte_length(self) -> int:
         """Bytes that the file must have at the least, ``offset`` included."""
-        step = self.sample_stride or self.sample_bytes
-        row = (self.columns - 1) * step + self.sample_bytes
-        return self.offset + (self.rows - 1) * (self.row_stride or self.columns * step) + row
-
-    @property
-    def mapped(self) -> bool:
-        """Whether touch can use the samples where they lie."""
-        return self.stored in MAPPED and self.sample_stride in {None, self.sample_bytes}
+        return self._raw(wraps=False).byte_length
 
     def check_size(self, refuse: Refuse, rows_field: str, columns_field: str) -> None:
         """Refuse what makes no surface."""
         for field, count in ((rows_field, self.rows), (columns_field, self.columns)):
             if count < 2:
-                raise refuse(
-                    field, count, "at least 2", "A single line of samples has no surface to touch."
-                )
+                raise refuse(field, count, "at least 2", "A single line of samples has no surface to touch.")
             if count > MOST_LINES:
                 raise refuse(field, f"{count:,}", f"at most {MOST_LINES:,}", "Mend the header.")
 
     def placed(self, georeference: Georeference, refuse: Refuse) -> tuple[GridLayout, Decoding | None]:
         """Say how the samples are touched: in place (no decoding), or how they are decoded first."""
-        if not self.mapped:
-            raise refuse(
-                "samples",
-                f"{BITS[self.stored]} bits of type {self.stored}",
-                "16-bit integers, signed 32-bit integers or IEEE numbers of 32 or 64 bits",
-                "Convert the grid to one of these, one band.",
-            )
         width, height = georeference.cell_size(self.rows)
+        wraps = georeference.spans_the_globe(self.columns)
+        raw = self._raw(wraps)
+        if raw.bytes_to_row < self.columns * raw.bytes_to_column:
+            raise refuse(
+                "bytes of a row",
+                f"{raw.bytes_to_row:,}",
+                f"at least {self.columns * raw.bytes_to_column:,} for {self.columns:,} columns",
+                "Mend the header.",
+            )
+        void = void_of(self.stored, self.void)
         try:
-            layout = GridLayout(
-                self.rows,
-                self.columns,
-                cell_width=width,
-                cell_height=height,
-                sample=MAPPED[self.stored],
-                byte_order=self.byte_order,
-                offset=self.offset,
-                row_stride=self.row_stride,
-                scale=self.scale,
-                value_offset=self.value_offset,
-                void=void_of(self.stored, self.void),
-                wraps=georeference.spans_the_globe(self.columns),
+            if self.stored not in MAPPED or raw.bytes_to_column != self.sample_bytes:
+                layout = raw.decoded(
+                    width, height, scale=self.scale, value_offset=self.value_offset, void=void
+                )
+                return layout, Decoding.of_raw(raw)
+            return (
+                GridLayout(
+                    self.rows,
+                    self.columns,
+                    cell_width=width,
+                    cell_height=height,
+                    sample=MAPPED[self.stored],
+                    byte_order=self.byte_order,
+                    offset=self.offset,
+                    row_stride=raw.bytes_to_row,
+                    scale=self.scale,
+                    value_offset=self.value_offset,
+                    void=void,
+                    wraps=wraps,
+                ),
+                None,
             )
         except (GridError, OverflowError) as error:  # the second for what no 64 bits hold
             raise refuse("grid", error, "a grid that can be touched", "Mend the header.") from error
-        return layout, None
+
+    def _raw(self, wraps: bool) -> RawSamples:
+        return RawSamples(
+            self.rows,
+            self.columns,
+            self.stored,
+            self.byte_order,
+            offset=self.offset,
+            pixel_stride=self.sample_stride,
+            row_stride=self.row_stride,
+            wraps=wraps,
+        )
 
 
-def void_of(stored: str, void: float | None) -> float | None:
+def void_of(stored: RawSample, void: float | None) -> float | None:
     """The void value as the samples hold it: rounded to single precision where they are."""
     if void is None or not math.isfinite(void):
         return None  # NaN and infinite samples are void by themselves
