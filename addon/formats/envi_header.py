@@ -23,6 +23,9 @@ MAXIMUM_BYTES = 1 << 20
 
 PAIR = re.compile(r"^[ \t]*([A-Za-z][A-Za-z0-9 _]{0,63}?)[ \t]*=[ \t]*(\{[^}]*\}|[^\r\n{]*)", re.MULTILINE)
 
+UNCLOSED = re.compile(r"^[ \t]*([A-Za-z][A-Za-z0-9 _]{0,63}?)[ \t]*=[ \t]*\{[^}]*\Z", re.MULTILINE)
+"""A list that a file ends in."""
+
 _REQUIRED: Any = object()
 
 
@@ -78,6 +81,15 @@ class EnviHeader:
 def read_envi_header(path: Path) -> EnviHeader:
     """Read a header."""
     text = read_head(path, MAXIMUM_BYTES).decode("latin-1")
+    unclosed = UNCLOSED.search(text)
+    if unclosed is not None:
+        raise refusal(
+            path,
+            unclosed[1],
+            "a list without its end",
+            "a list in braces",
+            "The header is cut short: get it again.",
+        )
     words: dict[str, str] = {}
     for keyword, value in PAIR.findall(text):
         name = " ".join(keyword.lower().replace("_", " ").split())

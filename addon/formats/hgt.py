@@ -25,7 +25,7 @@ NAME = re.compile(r"(?<![A-Za-z0-9])([NS])(\d{1,2})_?([EW])(\d{1,3})(?!\d)", re.
 
 SIZES: dict[int, tuple[int, int]] = {
     2 * rows * columns: (rows, columns)
-    for rows, columns in ((3601, 3601), (1201, 1201), (3601, 1801), (1801, 3601), (1201, 601), (601, 601))
+    for rows, columns in ((3601, 3601), (1201, 1201), (3601, 1801), (1201, 601), (601, 601))
 }
 """Rows and columns by bytes: 1 and 3 arc-seconds, and the coarser meridians of high latitudes."""
 

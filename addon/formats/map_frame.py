@@ -45,7 +45,9 @@ class MapFrame:
         """The place of a grid on this map; refuses what is beyond any body."""
         last_y = first_y - (rows - 1) * step_y
         sane = all(math.isfinite(number) and abs(number) < 1e12 for number in (first_x, first_y, last_y))
-        if not sane or not (0.0 < step_x < 1e9 and 0.0 < step_y < 1e9):
+        # Steps that are lost beside the coordinates make one place of all samples.
+        told_apart = first_x + step_x > first_x and first_y + step_y > first_y
+        if not (sane and told_apart and step_x < 1e9 and step_y < 1e9):
             raise refuse(
                 "place of the first cell",
                 f"{first_x:g}, {first_y:g} in steps of {step_x:g}, {step_y:g}",

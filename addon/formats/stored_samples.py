@@ -23,6 +23,9 @@ MAPPED: dict[RawSample, Sample] = {"i16": "i16", "u16": "u16", "i32": "i32", "f3
 LARGEST_FLOAT = 3.4028234663852886e38
 """The largest finite single-precision number: what many programs write where they have no height."""
 
+ISIS_VOIDS = 6 * 2.0**104
+"""Below the largest number ISIS (USGS) has its special pixels: within 6 of the steps that floats have there."""
+
 MOST_LINES = 2**31 - 1
 """Rows or columns that a grid may have."""
 
@@ -122,8 +125,8 @@ def void_of(stored: RawSample, void: float | None) -> float | None:
         return None  # NaN and infinite samples are void by themselves
     if stored != "f32":
         return void
-    # Written with few digits, the largest number is rounded to another one.
-    if abs(void) >= 0.9999 * LARGEST_FLOAT:
+    # Written with few digits, the largest number is rounded to another; next to it ISIS has its own voids.
+    if 0.9999 * LARGEST_FLOAT <= abs(void) < LARGEST_FLOAT - ISIS_VOIDS or abs(void) > LARGEST_FLOAT:
         return math.copysign(LARGEST_FLOAT, void)
     rounded: float = struct.unpack("f", struct.pack("f", void))[0]
     return rounded
