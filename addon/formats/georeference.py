@@ -90,9 +90,10 @@ class Georeference:
         if place is None:
             return None
         x, y = place
-        if self.projection.in_degrees:
+        turn = self.projection.turn(self.ellipsoid)
+        if turn is not None:
             middle = self.x((columns - 1) / 2.0)
-            x = middle + (x - middle + 180.0) % 360.0 - 180.0
+            x = middle + (x - middle + turn / 2.0) % turn - turn / 2.0
         return (x - self.first_x) / self.step_x, (self.first_y - y) / self.step_y
 
     def cut(self, region: Region) -> Georeference:

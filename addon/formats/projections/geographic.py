@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import ClassVar
 
@@ -18,8 +19,12 @@ class Geographic:
 
     def forward(self, longitude: float, latitude: float, ellipsoid: Ellipsoid) -> Coordinates | None:
         """Degrees, as they are."""
-        return longitude, latitude
+        return (longitude, latitude) if math.isfinite(longitude) and math.isfinite(latitude) else None
 
     def inverse(self, x: float, y: float, ellipsoid: Ellipsoid) -> Coordinates | None:
         """Degrees, as they are."""
-        return (x, y) if -90.0 <= y <= 90.0 else None
+        return (x, y) if math.isfinite(x) and -90.0 <= y <= 90.0 else None
+
+    def turn(self, ellipsoid: Ellipsoid) -> float | None:
+        """Degrees of a full turn."""
+        return 360.0

@@ -26,3 +26,6 @@ class Projection(Protocol):
 
     def inverse(self, x: float, y: float, ellipsoid: Ellipsoid) -> Coordinates | None:
         """Degrees east (of any turn) and north of a place on the map; ``None`` where it shows no place."""
+
+    def turn(self, ellipsoid: Ellipsoid) -> float | None:
+        """How far east the map repeats itself, in its own coordinates; ``None`` where it does not."""

@@ -23,3 +23,7 @@ class Unknown:
     def inverse(self, x: float, y: float, ellipsoid: Ellipsoid) -> Coordinates | None:
         """Not known."""
         return None
+
+    def turn(self, ellipsoid: Ellipsoid) -> float | None:
+        """Not known."""
+        return None
