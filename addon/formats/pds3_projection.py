@@ -150,11 +150,8 @@ class _Place:
             raise self.label.wrong("C_AXIS_RADIUS", radius, "a number above 0", "Mend the label.")
         step = self._step(radius)
         line, sample = self._origin()
-        projection, notes = polar_stereographic(latitude, middle)
-        return (
-            self._georeference(projection, -sample * step, line * step, step, step, Ellipsoid.sphere(radius)),
-            notes,
-        )
+        projection, sphere = polar_stereographic(latitude, middle), Ellipsoid.sphere(radius)
+        return self._georeference(projection, -sample * step, line * step, step, step, sphere), ()
 
     def unknown(self, projection: str) -> Found:
         """Maps in metres whose projection is not known here: touch is right, longitudes cannot be told."""

@@ -130,9 +130,9 @@ class _Place:
             or self._degrees("longitude_of_central_meridian")
             or 0.0
         )
-        projection, notes = polar_stereographic(pole, middle, self._degrees("standard_parallel_1"))
+        projection = polar_stereographic(pole, middle, self._degrees("standard_parallel_1"))
         radius = self._radius("c_axis_radius", "polar_radius") or self._radius_or_error()
-        return self._projected(projection, notes, Ellipsoid.sphere(radius))
+        return self._projected(projection, (), Ellipsoid.sphere(radius))
 
     def unknown(self, name: str) -> Found:
         """In metres of a projection that is not known here: touch is right, longitudes cannot be told."""

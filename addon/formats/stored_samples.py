@@ -24,7 +24,7 @@ LARGEST_FLOAT = 3.4028234663852886e38
 """The largest finite single-precision number: what many programs write where they have no height."""
 
 ISIS_VOIDS = 6 * 2.0**104
-"""Below the largest number ISIS (USGS) has its special pixels: within 6 of the steps that floats have there."""
+"""Below the largest number ISIS (USGS) has special pixels: within 6 of the steps that floats have there."""
 
 MOST_LINES = 2**31 - 1
 """Rows or columns that a grid may have."""

@@ -136,7 +136,8 @@ class EnviPair:
 
 EQUIRECTANGULAR = """<cart:map_projection_name>Equirectangular</cart:map_projection_name>
 <cart:Equirectangular><cart:standard_parallel_1 unit="deg">60</cart:standard_parallel_1>
-<cart:longitude_of_central_meridian unit="deg">180</cart:longitude_of_central_meridian></cart:Equirectangular>"""
+<cart:longitude_of_central_meridian unit="deg">180</cart:longitude_of_central_meridian>
+</cart:Equirectangular>"""
 
 POLAR = """<cart:map_projection_name>Polar Stereographic</cart:map_projection_name>
 <cart:Polar_Stereographic>

@@ -72,12 +72,11 @@ def test_formats_are_known_whatever_they_are_called(
 
 def test_a_header_tells_its_kind_by_its_content(tmp_path: Path) -> None:
     """Four formats end in .hdr."""
-    for number, (pair, expected) in enumerate(
-        ((EhdrPair(), "GTOPO30"), (GridFloatPair(), "GridFloat"), (EnviPair(), "ENVI"))
-    ):
-        folder = tmp_path / str(number)
+    writers = {"GTOPO30": EhdrPair().write, "GridFloat": GridFloatPair().write, "ENVI": EnviPair().write}
+    for expected, write in writers.items():
+        folder = tmp_path / expected
         folder.mkdir()
-        assert read_grid(pair.write(folder)).format == expected
+        assert read_grid(write(folder)).format == expected
     (tmp_path / "picture.hdr").write_bytes(b"#?RADIANCE\n")
     assert "Radiance" in complaint(tmp_path / "picture.hdr")
 

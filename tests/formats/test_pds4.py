@@ -121,7 +121,13 @@ def test_a_polar_map_is_in_metres(tmp_path: Path) -> None:
     )
     grid = read_grid(pair.write(tmp_path))
     assert (grid.layout.cell_width, grid.layout.cell_height) == (240.0, 240.0)
-    assert (grid.georeference.x(0), grid.georeference.y(0)) == (-360.0, 360.0)
+    place = grid.georeference
+    assert (place.x(0), place.y(0)) == (-360.0, 360.0)
+    found = place.longitude_latitude(0, 0)
+    assert found is not None
+    assert found[0] == pytest.approx(315.0)
+    distance = math.hypot(360.0, 360.0)
+    assert found[1] == pytest.approx(-90.0 + math.degrees(2.0 * math.atan(distance / 2.0 / RADIUS)), abs=1e-9)
 
 
 def test_another_projection_is_touched_in_metres(tmp_path: Path) -> None:
