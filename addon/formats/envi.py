@@ -16,7 +16,7 @@ from .file_bytes import check_length
 from .georeference import Georeference
 from .map_frame import GEOGRAPHIC_WGS84, WGS84, MapFrame, assumed_frame, frame_of_text
 from .partner_file import file_in_any_case
-from .projections import Geographic, Unknown
+from .projections import Geographic, TransverseMercator, Unknown
 from .raw_samples import RAW_BYTES, ByteOrder, RawSample
 from .stored_samples import StoredSamples
 
@@ -182,6 +182,9 @@ def _frame(
         if "WGS" in words:
             return GEOGRAPHIC_WGS84
         return assumed_frame("The datum is not understood", first_x, first_y, step_x, columns)
+    utm = _utm(header, positional) if name == "utm" else None
+    if utm is not None:
+        return utm
     note = f"The projection {positional[0]} is not understood: places are given in the map's metres only."
     return MapFrame(
         body[0] if body else "",
@@ -189,4 +192,22 @@ def _frame(
         Unknown(),
         vertical_reference="not stated",
         notes=(note,),
+    )
+
+
+def _utm(header: EnviHeader, positional: list[str]) -> MapFrame | None:
+    """UTM as ``map info`` states it: after the cells zone, half of the globe, and datum."""
+    if len(positional) < 9:
+        return None
+    zone, half, datum = positional[7], positional[8].lower(), "".join(positional[9:10])
+    if not zone.isdigit() or not 1 <= int(zone) <= 60 or half not in {"north", "south"}:
+        raise header.wrong(
+            "map info: zone", f"{zone}, {half}", "1 to 60, and North or South", "Mend the header."
+        )
+    projection = TransverseMercator.utm(int(zone), half == "north")
+    # The ellipsoids of NAD 83 and others differ from that of WGS 84 by less than a metre.
+    known = datum.upper().replace("-", "").replace(" ", "") in {"WGS84", "NAD83", "GRS80"}
+    note = f"The datum {datum or 'is not stated, and'} is taken for WGS 84's ellipsoid."
+    return MapFrame(
+        "Earth", WGS84, projection, f"UTM zone {zone} {half} {datum}", notes=() if known else (note,)
     )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import importlib
+from importlib import import_module
 from pathlib import Path
 from typing import Any, Literal
 
@@ -38,10 +38,19 @@ MAGICS = (
     (b"LBLSIZE=", "VICAR"),
     (b"NITF", "NITF"),
     (b"SIMPLE  =", "FITS"),
-    (b"<VRTDataset", "GDAL virtual raster"),
+    (b"UHL1", "DTED"),
+    (b"binterr1", "Binary Terrain"),
     (b"PCRASTER", "PCRaster"),
 )
 """How formats begin that GDAL reads and that are known by name."""
+
+DRIVERS = (
+    *("AIG", "BAG", "BT", "BSB", "CTable2", "DTED", "FITS", "GRIB", "GS7BG", "GSAG", "GSBG", "GTiff", "GXF"),
+    *("HDF4", "HDF4Image", "HDF5", "HDF5Image", "HFA", "ILWIS", "ISIS2", "ISIS3", "JP2OpenJPEG", "JP2ECW"),
+    *("JP2KAK", "KEA", "Leveller", "netCDF", "NITF", "NWT_GRD", "NTv2", "PCRaster", "RMF", "RST", "SAGA"),
+    *("SDTS", "SIGDEM", "SNAP_TIFF", "SRTMHGT", "Terragen", "VICAR", "XYZ", "ZMap"),
+)
+"""GDAL's names of formats that hold their own samples; others lead to other files, or into the network."""
 
 MOST_BYTES = 4 << 30
 """Of samples that are brought into memory; a small packed file may stand for more than any machine has."""
@@ -69,7 +78,7 @@ SAMPLE_BYTES = {"i16": 2, "u16": 2, "i32": 4, "f32": 4, "f64": 8}
 
 def may_read(head: bytes) -> bool:
     """Whether this road is worth trying: a format known by name, or any bytes where rasterio is at hand."""
-    if kind_of_file(head) is not None and not head.lstrip().startswith(b"<VRTDataset"):
+    if kind_of_file(head) is not None:
         return False
     return format_name(head) is not None or _rasterio() is not None
 
@@ -92,7 +101,7 @@ def read_through_rasterio(path: Path) -> ElevationGrid:
             way_out="Install rasterio into Blender's Python, or convert the grid to GeoTIFF.",
         )
     try:
-        with rasterio.open(path) as source:
+        with rasterio.open(path, driver=list(DRIVERS)) as source:
             return _described(path, source)
     except FormatError:
         raise
@@ -109,7 +118,7 @@ def read_through_rasterio(path: Path) -> ElevationGrid:
 def _rasterio() -> Any:
     """The module where the person has it; a broken installation counts as none."""
     try:
-        return importlib.import_module("rasterio")
+        return import_module("rasterio")
     except Exception:  # a library that cannot be loaded raises what it likes
         return None
 
@@ -165,14 +174,14 @@ def _georeference(source: Any, refuse: Any) -> tuple[Georeference, tuple[str, ..
     if transform.b != 0.0 or transform.d != 0.0 or transform.a <= 0.0 or transform.e == 0.0:
         raise refuse(
             "transform",
-            tuple(transform)[:6],
+            (transform.a, transform.b, transform.d, transform.e),
             "rows to the east, columns to the south",
             "Warp the grid north up.",
         )
     notes: list[str] = []
     down = -transform.e
     if down < 0.0:
-        raise refuse("transform", tuple(transform)[:6], "the first row in the north", "Flip the grid.")
+        raise refuse("transform", (transform.a, transform.b, transform.d, transform.e), "the first row in the north", "Flip the grid.")
     projection: Projection = Unknown()
     ellipsoid, body, frame = WGS84, "", ""
     crs = source.crs
@@ -221,11 +230,11 @@ def decode_through_rasterio(
     rasterio = _rasterio()
     if rasterio is None:
         raise OSError("rasterio, which read this file before, is not installed any more")
-    windows = importlib.import_module("rasterio.windows")
+    windows = import_module("rasterio.windows")
     samples = bytearray(layout.samples * SAMPLE_BYTES[layout.sample])
     row_bytes = layout.columns * SAMPLE_BYTES[layout.sample]
     try:
-        with rasterio.open(path) as source:
+        with rasterio.open(path, driver=list(DRIVERS)) as source:
             _, asked = SAMPLES[str(source.dtypes[0])]
             for row in range(0, layout.rows, ROWS_AT_ONCE):
                 rows = min(ROWS_AT_ONCE, layout.rows - row)

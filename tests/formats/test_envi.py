@@ -75,6 +75,19 @@ def test_mars_is_no_ellipsoid_of_the_earth(tmp_path: Path) -> None:
     assert place.ellipsoid.semi_major == 3_396_190.0
 
 
+@pytest.mark.parametrize(("half", "north"), [("North", 4_600_000), ("South", 5_400_000)])
+def test_utm_zones_give_longitude_and_latitude(tmp_path: Path, half: str, north: int) -> None:
+    """500 km east is the central meridian: 123 W in zone 10."""
+    words = {"map info": f"{{UTM, 1.5, 1.5, 500000, {north}, 30, 30, 10, {half}, WGS-84, units=Meters}}"}
+    grid = read_grid(EnviPair(words=words).write(tmp_path))
+    found = grid.georeference.longitude_latitude(0, 0)
+    assert found is not None
+    assert found[0] == pytest.approx(237.0)
+    assert abs(found[1]) == pytest.approx(41.5520, abs=1e-3)
+    assert (found[1] > 0) == (half == "North")
+    assert grid.notes == ()
+
+
 def test_without_map_info_the_grid_is_read_and_says_so(tmp_path: Path) -> None:
     grid = read_grid(EnviPair(words={"map info": None}).write(tmp_path))
     assert grid.layout.cell_width == 1.0
@@ -108,6 +121,7 @@ def test_keywords_in_capitals_and_carriage_returns(tmp_path: Path) -> None:
         ({"file compression": 1}, ["file compression"]),
         ({"data gain values": "{0}"}, ["grid", "scale"]),
         ({"map info": "{UTM, 1, 1, x, 5, 1, 1, 10, North}"}, ["map info", "x"]),
+        ({"map info": "{UTM, 1, 1, 5, 5, 1, 1, 61, North}"}, ["map info: zone", "61"]),
         ({"map info": "{UTM, 1, 1, 5, 5, 0, 1, 10, North}"}, ["x size", "above 0"]),
         ({"map info": "{UTM, 1, 1, 1e300, 5, 1, 1}"}, ["coordinates on a planet"]),
         ({"map info": "{UTM, 1, 1, 5, 5, 1, 1, 10, North, rotation=30}"}, ["rotation", "30"]),
