@@ -16,6 +16,7 @@ import pvl
 
 from .file_bytes import read_head
 from .format_error import FormatError
+from .label_parser import LabelParser
 from .refusal import first_line, refusal
 
 FIRST_KEYWORD = "PDS_VERSION_ID"
@@ -111,7 +112,7 @@ def read_label(path: Path) -> Label:
     """Read a label: a file of its own, or the beginning of the data file."""
     text = _label_text(path)
     try:
-        keywords = pvl.loads(text)
+        keywords = pvl.loads(text, parser=LabelParser())
     except Exception as error:  # pvl raises several kinds for text that it cannot follow
         raise FormatError(
             path,

@@ -12,8 +12,8 @@ from .ellipsoid import Ellipsoid
 from .georeference import Georeference, LatitudeKind
 from .label import Label, Units
 from .pds3_values import KILOMETRES, Pds3Values
-from .polar_map import polar_stereographic
-from .projections import Geographic, Projection, Unknown
+from .planet_maps import named_projection, polar_stereographic
+from .projections import Geographic, Projection
 
 MAP = "IMAGE_MAP_PROJECTION"
 
@@ -69,7 +69,7 @@ def pds3_georeference(label: Label, rows: int, columns: int, values: Pds3Values)
         return place.from_offsets_in_degrees() if place.has_offsets else place.from_limits()
     if projection == "POLAR STEREOGRAPHIC":
         return place.polar()
-    return place.unknown(projection)
+    return place.in_metres(projection)
 
 
 class _Place:
@@ -153,15 +153,18 @@ class _Place:
         projection, sphere = polar_stereographic(latitude, middle), Ellipsoid.sphere(radius)
         return self._georeference(projection, -sample * step, line * step, step, step, sphere), ()
 
-    def unknown(self, projection: str) -> Found:
-        """Maps in metres whose projection is not known here: touch is right, longitudes cannot be told."""
-        step = self._step()
-        line, sample = self._origin() if self.has_offsets else (0.0, 0.0)
-        note = f"The projection {projection} is not known here: places are given in the map's metres only."
-        return (
-            self._georeference(Unknown(), -sample * step, line * step, step, step, self._ellipsoid()),
-            (note,),
+    def in_metres(self, name: str) -> Found:
+        """Maps about a centre; where the projection is not known here touch is right all the same."""
+        ellipsoid, step = self._ellipsoid(), self._step()
+        projection, notes = named_projection(
+            name,
+            self._optional("CENTER_LONGITUDE", DEGREES) or 0.0,
+            self._optional("CENTER_LATITUDE", DEGREES) or 0.0,
         )
+        line, sample = self._origin()
+        if not self.has_offsets:
+            notes = (*notes, "The label does not say where the map's origin is: its middle is assumed.")
+        return self._georeference(projection, -sample * step, line * step, step, step, ellipsoid), notes
 
     def _limits(self) -> tuple[float, float, float, float]:
         """West, east, south, north in degrees, checked."""

@@ -13,8 +13,8 @@ from .ellipsoid import Ellipsoid
 from .georeference import Georeference, LatitudeKind
 from .label import Units
 from .pds4_label import Pds4Label
-from .polar_map import polar_stereographic
-from .projections import Geographic, Projection, Unknown
+from .planet_maps import named_projection, polar_stereographic
+from .projections import Geographic, Projection
 
 METRES: Units = {"m": 1.0, "km": 1000.0}
 DEGREES: Units = {"deg": 1.0, "degree": 1.0, "degrees": 1.0}
@@ -47,7 +47,7 @@ def pds4_georeference(label: Pds4Label, rows: int, columns: int, reference: str)
         return place.cylindrical()
     if name == "POLAR STEREOGRAPHIC":
         return place.polar()
-    return place.unknown(name.title())
+    return place.in_metres(name)
 
 
 class _Place:
@@ -134,10 +134,14 @@ class _Place:
         radius = self._radius("c_axis_radius", "polar_radius") or self._radius_or_error()
         return self._projected(projection, (), Ellipsoid.sphere(radius))
 
-    def unknown(self, name: str) -> Found:
-        """In metres of a projection that is not known here: touch is right, longitudes cannot be told."""
-        note = f"The projection {name} is not known here: places are given in the map's metres only."
-        return self._projected(Unknown(), (note,), self._ellipsoid())
+    def in_metres(self, name: str) -> Found:
+        """About a centre; where the projection is not known here touch is right all the same."""
+        projection, notes = named_projection(
+            name,
+            self._degrees("longitude_of_central_meridian") or 0.0,
+            self._degrees("latitude_of_projection_origin") or 0.0,
+        )
+        return self._projected(projection, notes, self._ellipsoid())
 
     def _projected(self, projection: Projection, notes: tuple[str, ...], ellipsoid: Ellipsoid) -> Found:
         step_x = self._resolution("x", METRES_PER_PIXEL)

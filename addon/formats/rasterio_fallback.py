@@ -181,7 +181,12 @@ def _georeference(source: Any, refuse: Any) -> tuple[Georeference, tuple[str, ..
     notes: list[str] = []
     down = -transform.e
     if down < 0.0:
-        raise refuse("transform", (transform.a, transform.b, transform.d, transform.e), "the first row in the north", "Flip the grid.")
+        raise refuse(
+            "transform",
+            (transform.a, transform.b, transform.d, transform.e),
+            "the first row in the north",
+            "Flip the grid.",
+        )
     projection: Projection = Unknown()
     ellipsoid, body, frame = WGS84, "", ""
     crs = source.crs

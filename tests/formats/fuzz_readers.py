@@ -11,6 +11,7 @@ import faulthandler
 import random
 import resource
 import shutil
+import signal
 import sys
 import tempfile
 import time
@@ -27,6 +28,9 @@ from tests.formats.raw_grids import EQUIRECTANGULAR, POLAR, EhdrPair, EnviPair, 
 
 SLOW_SECONDS = 20
 """An answer that takes longer is a hang."""
+
+STUCK_SECONDS = 90
+"""A hang that Python cannot end, inside of native code: the run ends, and says where."""
 
 MOST_GROWN_KIB = 256 << 10
 """That the process may grow beyond its size after the first cases."""
@@ -108,6 +112,15 @@ FAMILIES: dict[str, Callable[[Path], object]] = {
 }
 
 
+class SlowError(BaseException):
+    """An answer took too long; no reader may catch it."""
+
+
+def ring(_signal: int, _frame: object) -> None:
+    """End what takes too long."""
+    raise SlowError(f"no answer after {SLOW_SECONDS} s")
+
+
 def main() -> int:
     """Fuzz for so many seconds, and print counts."""
     arguments = argparse.ArgumentParser(description=__doc__)
@@ -117,6 +130,7 @@ def main() -> int:
     )
     arguments.add_argument("--family", choices=[*FAMILIES], help="only this one")
     asked = arguments.parse_args()
+    signal.signal(signal.SIGALRM, ring)
     resource.setrlimit(resource.RLIMIT_AS, (MOST_ADDRESSES, MOST_ADDRESSES))
     names = [asked.family] if asked.family else [*FAMILIES]
     counts: Counter[str] = Counter()
@@ -148,14 +162,16 @@ def run_case(name: str, seed: int) -> str:
     try:
         FAMILIES[name](folder)
         spoil(folder, chance)
-        faulthandler.dump_traceback_later(SLOW_SECONDS, exit=True)
+        signal.setitimer(signal.ITIMER_REAL, SLOW_SECONDS)
+        faulthandler.dump_traceback_later(STUCK_SECONDS, exit=True)
         answers = {read_all(path) for path in sorted(folder.iterdir())}
-    except (Exception, MemoryError):
+    except (Exception, SlowError):
         print(f"{name}, seed {seed}:\n{traceback.format_exc()}", file=sys.stderr, flush=True)
         kept = Path(tempfile.gettempdir()) / "fuzz-findings" / f"{name.replace(' ', '-')}-{seed}"
         shutil.copytree(folder, kept, dirs_exist_ok=True)
         return "FOUND"
     finally:
+        signal.setitimer(signal.ITIMER_REAL, 0.0)
         faulthandler.cancel_dump_traceback_later()
         shutil.rmtree(folder, ignore_errors=True)
     return "read" if "read" in answers else "refused"

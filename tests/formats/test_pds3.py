@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -349,7 +350,7 @@ def test_other_units_are_refused(
 def test_a_text_that_is_too_long_for_a_label_is_not_followed(
     pair: MegdrPair, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def follow(_text: str) -> None:
+    def follow(_text: str, **_options: object) -> None:
         raise AssertionError("the text was followed")
 
     label = pair.write(tmp_path)
@@ -373,6 +374,16 @@ def test_another_kind_of_file(tmp_path: Path) -> None:
     text = complaint(tmp_path / "notes.txt")
     assert "notes.txt" in text
     assert ".lbl or .img" in text
+
+
+@pytest.mark.parametrize("line", ["==A = 1", "A == 1", "=", "A = = 1", "(=", "A = (1 == 2)"])
+def test_signs_that_lead_nowhere_do_not_go_round_for_ever(pair: MegdrPair, tmp_path: Path, line: str) -> None:
+    label = pair.write(tmp_path)
+    for place in ("LINES = 4", "OBJECT = IMAGE_MAP", "RECORD_TYPE"):
+        spoilt = label.read_text().replace(place, f"{line}\n{place}", 1)
+        label.with_name("spoilt.lbl").write_text(spoilt)
+        with suppress(FormatError):
+            read_grid(label.with_name("spoilt.lbl"))
 
 
 def test_a_folder_is_not_a_label(tmp_path: Path) -> None:

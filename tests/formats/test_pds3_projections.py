@@ -225,7 +225,26 @@ def test_latitudes_beyond_the_poles_are_refused(tmp_path: Path, field: str) -> N
 def test_another_projection_is_touched_in_metres(tmp_path: Path) -> None:
     grid = read_grid(equirectangular(MAP_PROJECTION_TYPE="BONNE").write(tmp_path))
     assert grid.georeference.longitude_latitude(0, 0) is None
-    assert "BONNE" in " ".join(grid.notes)
+    assert "Bonne" in " ".join(grid.notes)
+
+
+def test_a_sinusoidal_map(tmp_path: Path) -> None:
+    """HRSC's terrain models: x = R (lon - lon0) cos(lat), y = R lat, offsets counted from 0."""
+    pair = equirectangular(
+        MAP_PROJECTION_TYPE='"SINUSOIDAL"',
+        MAP_RESOLUTION=None,
+        MAP_SCALE="0.1 <KM/PIXEL>",
+        LINE_PROJECTION_OFFSET=20_000.0,
+        SAMPLE_PROJECTION_OFFSET=-3000.0,
+        CENTER_LATITUDE=0,
+    )
+    grid = read_grid(pair.write(tmp_path))
+    found = grid.georeference.longitude_latitude(0, 0)
+    assert found is not None
+    latitude = math.degrees(2_000_000.0 / 3_396_000.0)
+    longitude = 180.0 + math.degrees(300_000.0 / 3_396_000.0 / math.cos(math.radians(latitude)))
+    assert found == pytest.approx((longitude, latitude), abs=1e-9)
+    assert grid.layout.cell_width == 100.0
 
 
 @pytest.mark.parametrize(

@@ -131,11 +131,11 @@ def test_a_polar_map_is_in_metres(tmp_path: Path) -> None:
 
 
 def test_another_projection_is_touched_in_metres(tmp_path: Path) -> None:
-    projection = "<cart:map_projection_name>Sinusoidal</cart:map_projection_name>"
+    projection = "<cart:map_projection_name>Bonne</cart:map_projection_name>"
     resolution = '<cart:pixel_resolution_x unit="m/pixel">60</cart:pixel_resolution_x>'
     grid = read_grid(Pds4Pair(projection=projection, resolution=resolution).write(tmp_path))
     assert grid.georeference.longitude_latitude(0, 0) is None
-    assert "Sinusoidal" in " ".join(grid.notes)
+    assert "Bonne" in " ".join(grid.notes)
 
 
 def test_a_void_written_as_bits(tmp_path: Path) -> None:
