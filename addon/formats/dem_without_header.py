@@ -35,9 +35,9 @@ STEP = 1.0 / 120.0
 SEA = -9999.0
 
 
-def looks_like_headless_dem(path: Path, head: bytes) -> bool:
+def looks_like_headless_dem(path: Path, head: bytes, length: int) -> bool:
     """Whether a file is named like a tile and holds raw bytes."""
-    return path.suffix.lower() == SUFFIX and kind_of_file(head) is None
+    return path.suffix.lower() == SUFFIX and (length in TILES or kind_of_file(head) is None)
 
 
 def read_headless_dem(path: Path) -> ElevationGrid:

@@ -189,7 +189,8 @@ def _read_with_header(file: Sniffed) -> ElevationGrid:
 
 
 def _is_hgt(file: Sniffed) -> bool:
-    if kind_of_file(file.head) is not None:
+    """By its ending or place; heights of the right size may begin with any bytes, also those of a picture."""
+    if file.length not in HGT_SIZES and kind_of_file(file.head) is not None:
         return False
     named = file.path.suffix.lower() == HGT_SUFFIX
     return named or (
@@ -231,7 +232,7 @@ FAMILIES = (
     Family("SRTM", _is_hgt, lambda file: read_hgt(file.path, file.position)),
     Family(
         "GTOPO30 without its header",
-        lambda file: looks_like_headless_dem(file.path, file.head),
+        lambda file: looks_like_headless_dem(file.path, file.head, file.length),
         lambda file: read_headless_dem(file.path),
     ),
     Family("a label in name only", _is_named_label, lambda file: read_pds3(file.path)),

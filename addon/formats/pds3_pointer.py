@@ -5,6 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 from .data_beside import first_beside, is_bare_file_name
+from .file_bytes import read_head
+from .jpeg2000 import looks_like_jpeg2000
 from .label import MAXIMUM_COUNT, Label
 from .partner_file import file_in_any_case
 
@@ -34,6 +36,13 @@ def data_place(label: Label, image: tuple[str, ...]) -> tuple[Path, int]:
             f"no file {named.name} beside the label",
             "the data file that the label describes",
             f"Put {named.name} into the folder of the label.",
+        )
+    if looks_like_jpeg2000(read_head(found, 12)):
+        raise label.wrong(
+            "^IMAGE",
+            f"{found.name}, a JPEG 2000 file",
+            "raw samples",
+            "Get the .IMG file of the same product, or choose the JPEG 2000 file itself.",
         )
     return found, offset
 

@@ -8,6 +8,7 @@ from typing import Any, Literal
 
 from proxygraph import Grid, GridError, GridLayout, Progress
 
+from . import jpeg2000
 from .decoders import DECODERS
 from .decoding import Decoding
 from .elevation_grid import ElevationGrid
@@ -23,8 +24,7 @@ KIND = "rasterio"
 """Of the decoder."""
 
 MAGICS = (
-    (b"\x00\x00\x00\x0cjP  ", "JPEG 2000"),
-    (b"\xff\x4f\xff\x51", "JPEG 2000"),
+    *((magic, "JPEG 2000") for magic in jpeg2000.MAGICS),
     (b"\x89HDF", "HDF5 or NetCDF 4"),
     (b"\x0e\x03\x13\x01", "HDF4"),
     (b"CDF\x01", "NetCDF"),

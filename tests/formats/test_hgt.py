@@ -101,6 +101,14 @@ def test_what_is_no_square_is_named(tmp_path: Path, content: bytes, word: str) -
     assert word in complaint(path)
 
 
+def test_a_square_may_begin_with_the_bytes_of_a_picture(tmp_path: Path) -> None:
+    """-40 m and -32 m below the sea are how a JPEG begins."""
+    path = square(tmp_path / "N31E035.hgt")
+    with path.open("r+b") as file:
+        file.write(b"\xff\xd8\xff\xe0")
+    assert read_grid(path).open().elevation(0, 0) == -40
+
+
 @needs("srtm/N51W001.hgt")
 def test_the_real_square() -> None:
     grid = read_grid(SHARED / "srtm" / "N51W001.hgt")

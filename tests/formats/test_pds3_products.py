@@ -187,6 +187,14 @@ def test_a_void_that_is_not_applicable(tmp_path: Path, value: str) -> None:
     assert read_grid(pair.write(tmp_path)).layout.void is None
 
 
+def test_a_label_of_a_packed_picture_names_the_way_out(tmp_path: Path) -> None:
+    label = MegdrPair(rough(2, 3)).write(tmp_path)
+    label.with_suffix(".img").write_bytes(b"\x00\x00\x00\x0cjP  \r\n\x87\n" * 9)
+    text = complaint(label)
+    assert "a JPEG 2000 file" in text
+    assert ".IMG" in text
+
+
 def test_a_description_inside_one_of_several_files(tmp_path: Path) -> None:
     pair = MegdrPair(rough(2, 3))
     label = pair.write(tmp_path)
