@@ -49,6 +49,9 @@ def pds3_samples(
     Args:
         offset: bytes before the image.
     """
+    encoding = label.text(*image, "ENCODING_TYPE", default="N/A").upper()
+    if encoding not in {"N/A", "NONE", "NULL"}:
+        raise label.wrong("ENCODING_TYPE", encoding, "raw samples", "Unpack the image first.")
     stored, byte_order = _stored(label, image)
     rows, columns = label.whole(*image, "LINES"), label.whole(*image, "LINE_SAMPLES")
     prefix = label.whole(*image, "LINE_PREFIX_BYTES", default=0)

@@ -206,6 +206,7 @@ def test_data_shorter_than_the_label_says(pair: MegdrPair, tmp_path: Path) -> No
         ({"SAMPLE_TYPE": "IEEE_REAL"}, ["SAMPLE_BITS", "16", "32, 64 for IEEE_REAL"]),
         ({"SAMPLE_BITS": 12}, ["SAMPLE_BITS", "12", "8, 16, 32"]),
         ({"SAMPLE_BITS": None}, ["SAMPLE_BITS"]),
+        ({"ENCODING_TYPE": "CLEM-JPEG-1"}, ["ENCODING_TYPE", "CLEM-JPEG-1", "raw samples"]),
         ({"LINES": "many"}, ["LINES", "many", "a number"]),
         ({"LINES": 1}, ["LINES", "1", "at least 2"]),
         ({"LINE_SAMPLES": 1}, ["LINE_SAMPLES", "1", "at least 2"]),
