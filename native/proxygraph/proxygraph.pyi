@@ -63,6 +63,195 @@ class Progress:
         """
 
 @final
+class UsgsDem:
+    """A USGS digital elevation model as text: its A record was read, its profiles were found and looked at.
+
+    The grid is the smallest that holds every profile, row-major from the north-west; void where no profile is.
+    """
+
+    @staticmethod
+    def open(path: str | os.PathLike[str], progress: Progress | None = None) -> UsgsDem:
+        """Read the A record and look at every height once (without the GIL).
+
+        A file that ends early is read as far as it is whole; ``notes`` tell what is missing.
+
+        Raises:
+            DecodeError: it is no USGS DEM, or a field cannot be right. OSError: it cannot be read.
+            CancelledError: ``progress`` was asked to end.
+        """
+    @property
+    def name(self) -> str:
+        """Of the quadrangle."""
+    @property
+    def system(self) -> Literal["geographic", "UTM", "state plane", "other"]:
+        """Of the coordinates."""
+    @property
+    def zone(self) -> int:
+        """Of UTM or state plane, as it is written; 0 where there is none."""
+    @property
+    def ground_unit(self) -> Literal["radian", "foot", "metre", "arc-second"]:
+        """Of ``corners``, ``step`` and ``first``."""
+    @property
+    def elevation_unit(self) -> Literal["foot", "metre"]:
+        """Of ``range``, and of ``sample * scale + value_offset``."""
+    @property
+    def corners(self) -> list[tuple[float, float]] | None:
+        """South-west, north-west, north-east and south-east of the quadrangle (x, y); ``None`` where blank."""
+    @property
+    def horizontal_datum(self) -> int | None:
+        """1 NAD27, 2 WGS72, 3 WGS84, 4 NAD83, 5 Old Hawaiian, 6 Puerto Rico; ``None`` in old files."""
+    @property
+    def vertical_datum(self) -> int | None:
+        """1 local mean sea level, 2 NGVD29, 3 NAVD88; ``None`` in old files."""
+    @property
+    def step(self) -> tuple[float, float]:
+        """Between columns and between rows."""
+    @property
+    def rows(self) -> int:
+        """At least 2."""
+    @property
+    def columns(self) -> int:
+        """At least 2."""
+    @property
+    def first(self) -> tuple[float, float]:
+        """x and y of the north-west sample."""
+    @property
+    def profiles(self) -> int:
+        """That the file has."""
+    @property
+    def heights(self) -> int:
+        """That the file has, voids left out."""
+    @property
+    def range(self) -> tuple[float, float] | None:
+        """Lowest and highest height as they are, not as the header says; ``None`` where all are void."""
+    @property
+    def sample(self) -> Literal["i16", "i32", "f64"]:
+        """The smallest type that keeps every height as it is."""
+    @property
+    def scale(self) -> float: ...
+    @property
+    def value_offset(self) -> float: ...
+    @property
+    def void(self) -> float:
+        """The sample that means "no data"; NaN in ``f64``."""
+    @property
+    def notes(self) -> list[str]:
+        """What a person should know: profiles that are missing, blank heights."""
+    def decode(
+        self,
+        layout: GridLayout,
+        first_column: int = 0,
+        first_row: int = 0,
+        *,
+        progress: Progress | None = None,
+        cache: str | os.PathLike[str] | None = None,
+    ) -> Grid:
+        """Decode a region of the layout's size (without the GIL) into memory, or into a new file ``cache``.
+
+        Raises:
+            DecodeError: the layout has another sample type, the region is not on the grid, or the file changed.
+            CancelledError: ``progress`` was asked to end. OSError: the system refused.
+        """
+
+@final
+class EsriAscii:
+    """An Esri ASCII grid: its header was read and every height was looked at."""
+
+    @staticmethod
+    def open(path: str | os.PathLike[str], progress: Progress | None = None) -> EsriAscii:
+        """Read the header, and every height once (without the GIL).
+
+        Raises:
+            DecodeError: it is no Esri ASCII grid, a word is no number, or there are too few or too many heights.
+            OSError: it cannot be read. CancelledError: ``progress`` was asked to end.
+        """
+    @property
+    def rows(self) -> int:
+        """At least 2."""
+    @property
+    def columns(self) -> int:
+        """At least 2."""
+    @property
+    def step(self) -> tuple[float, float]:
+        """Between columns and between rows, in the map's unit; above 0."""
+    @property
+    def corner(self) -> tuple[float, float]:
+        """x and y at the lower left cell."""
+    @property
+    def corner_is_center(self) -> tuple[bool, bool]:
+        """Whether x, and whether y, is of that cell's centre, not of its outer corner."""
+    @property
+    def nodata(self) -> float:
+        """The value that means "no data" in the file; -9999 where the header does not say, NaN at times."""
+    @property
+    def range(self) -> tuple[float, float] | None:
+        """Lowest and highest height; ``None`` where all are void."""
+    @property
+    def voids(self) -> int: ...
+    @property
+    def sample(self) -> Literal["i16", "i32", "f32", "f64"]:
+        """The smallest type that keeps every height as it is written."""
+    @property
+    def void(self) -> float:
+        """The sample that means "no data" once it is decoded; NaN in ``f32`` and ``f64``."""
+    def decode(
+        self,
+        layout: GridLayout,
+        first_column: int = 0,
+        first_row: int = 0,
+        *,
+        progress: Progress | None = None,
+        cache: str | os.PathLike[str] | None = None,
+    ) -> Grid:
+        """As ``UsgsDem.decode``."""
+
+@final
+class RawSamples:
+    """Where the samples of one band lie in a file that cannot be mapped as it is.
+
+    Args:
+        rows, columns: of the whole band.
+        sample: type in the file. ``i8`` and ``u8`` become ``i16``; ``u32``, ``i64`` and ``u64`` become ``f64``.
+        byte_order: in the file.
+        offset: bytes before the first sample of the band.
+        pixel_stride, row_stride: bytes from one column, and from one row, to the next.
+        south_first: whether the file's first row is the southernmost.
+        wraps: whether a region may run on beyond the last column.
+
+    Raises:
+        ValueError: naming the field, what was found and what was expected.
+    """
+
+    def __init__(
+        self,
+        rows: int,
+        columns: int,
+        *,
+        sample: Literal["i8", "u8", "i16", "u16", "i32", "u32", "i64", "u64", "f32", "f64"],
+        byte_order: ByteOrder,
+        offset: int,
+        pixel_stride: int,
+        row_stride: int,
+        south_first: bool = False,
+        wraps: bool = False,
+    ) -> None: ...
+    def decode(
+        self,
+        path: str | os.PathLike[str],
+        layout: GridLayout,
+        first_column: int = 0,
+        first_row: int = 0,
+        *,
+        progress: Progress | None = None,
+        cache: str | os.PathLike[str] | None = None,
+    ) -> Grid:
+        """Copy a region of the layout's size; only its own rows and columns are read. See ``UsgsDem.decode``.
+
+        Raises:
+            DecodeError: also where samples overlap, or the file is too short for them.
+        """
+
+@final
 class GridLayout:
     """Where the samples of a row-major grid lie, and what they mean. Immutable.
 
@@ -195,6 +384,16 @@ class Grid:
         """
     def range(self) -> GridRange | None:
         """Scan the whole grid (without the GIL); ``None`` where every sample is void."""
+    def filled(self, progress: Progress | None = None) -> Grid:
+        """A packed copy in memory whose holes are filled from what surrounds them (without the GIL).
+
+        Samples that are known keep their very bits. A made-up height is within the range of its own hole's
+        rim. A grid without any height stays as it is. Takes twelve more bytes a sample meanwhile.
+
+        Raises:
+            CancelledError: ``progress`` was asked to end.
+            DecodeError: there is not enough memory.
+        """
 
 @final
 class Contact:

@@ -7,9 +7,19 @@
 #![deny(missing_docs, unsafe_op_in_unsafe_fn)]
 
 mod error;
+pub mod esri_ascii;
+mod fill;
+mod pen;
 mod progress;
+mod raw;
+mod room;
+mod source;
 mod target;
+pub mod usgs_dem;
+mod window;
 
 pub use error::DecodeError;
+pub use fill::fill;
 pub use progress::Progress;
+pub use raw::{RawSample, RawSamples};
 pub use target::Target;

@@ -31,11 +31,14 @@ impl Progress {
         self.cancelled.load(Ordering::Relaxed)
     }
 
+    /// Fails when the work was asked to end; tells nothing.
+    pub fn check(&self) -> Result<(), DecodeError> {
+        if self.is_cancelled() { Err(DecodeError::Cancelled) } else { Ok(()) }
+    }
+
     /// Tells that `done` of `all` steps are done; fails when the work was asked to end.
     pub fn step(&self, done: u64, all: u64) -> Result<(), DecodeError> {
-        if self.is_cancelled() {
-            return Err(DecodeError::Cancelled);
-        }
+        self.check()?;
         let share = if all == 0 { 1.0 } else { (done as f64 / all as f64).min(1.0) };
         self.share.store(share.to_bits(), Ordering::Relaxed);
         Ok(())

@@ -1,5 +1,13 @@
 //! Decoders: what they share.
 
+mod esri_ascii;
+mod raw_samples;
+mod usgs_dem;
+
+pub use esri_ascii::EsriAscii;
+pub use raw_samples::RawSamples;
+pub use usgs_dem::UsgsDem;
+
 use crate::errors::grid_error;
 use pyo3::create_exception;
 use pyo3::exceptions::PyException;

@@ -1,5 +1,6 @@
 //! Grids and their layouts.
 
+use crate::decode::{Progress, decode_refusal};
 use crate::errors::grid_error;
 use crate::numbers::Whole;
 use pyo3::buffer::PyUntypedBuffer;
@@ -24,6 +25,13 @@ const SAMPLES: [(&str, SampleType); 5] = [
     ("f64", SampleType::F64),
 ];
 const ORDERS: [(&str, ByteOrder); 2] = [("big", ByteOrder::Big), ("little", ByteOrder::Little)];
+
+impl GridLayout {
+    /// The layout, as the other crates know it.
+    pub fn plain(&self) -> surface::GridLayout {
+        self.layout
+    }
+}
 
 #[pymethods]
 impl GridLayout {
@@ -90,12 +98,12 @@ impl GridLayout {
 
     #[getter]
     fn sample(&self) -> &'static str {
-        name_of(self.layout.sample(), &SAMPLES)
+        sample_name(self.layout.sample())
     }
 
     #[getter]
     fn byte_order(&self) -> &'static str {
-        name_of(self.layout.byte_order(), &ORDERS)
+        byte_order_name(self.layout.byte_order())
     }
 
     #[getter]
@@ -198,6 +206,11 @@ pub struct Grid {
 }
 
 impl Grid {
+    /// A grid from a decoder.
+    pub fn of(grid: surface::Grid) -> Self {
+        Self { grid: Arc::new(grid) }
+    }
+
     pub fn shared(&self) -> Arc<surface::Grid> {
         Arc::clone(&self.grid)
     }
@@ -264,6 +277,14 @@ impl Grid {
     fn range(&self, py: Python<'_>) -> Option<GridRange> {
         py.detach(|| self.grid.range()).map(|range| GridRange { range })
     }
+
+    #[pyo3(signature = (progress=None))]
+    fn filled(&self, py: Python<'_>, progress: Option<&Progress>) -> PyResult<Self> {
+        let unseen = Progress::default();
+        let progress = progress.unwrap_or(&unseen).shared();
+        let grid = py.detach(|| ::decode::fill(&self.grid, progress)).map_err(decode_refusal)?;
+        Ok(Self::of(grid))
+    }
 }
 
 /// A memoryview of format `d`.
@@ -286,6 +307,21 @@ fn named<T: Copy>(field: &str, name: &str, known: &[(&'static str, T)]) -> PyRes
             Err(grid_error(format!("{field} is '{name}'; expected one of {names}")))
         }
     }
+}
+
+/// The byte order that the contract calls so.
+pub fn byte_order_named(name: &str) -> PyResult<ByteOrder> {
+    named("byte_order", name, &ORDERS)
+}
+
+/// What the contract calls a sample type.
+pub fn sample_name(sample: SampleType) -> &'static str {
+    name_of(sample, &SAMPLES)
+}
+
+/// What the contract calls a byte order.
+pub fn byte_order_name(order: ByteOrder) -> &'static str {
+    name_of(order, &ORDERS)
 }
 
 fn name_of<T: PartialEq>(value: T, known: &[(&'static str, T)]) -> &'static str {

@@ -27,6 +27,8 @@ mod module {
     #[pymodule_export]
     use crate::decode::{CancelledError, DecodeError, Progress};
     #[pymodule_export]
+    use crate::decode::{EsriAscii, RawSamples, UsgsDem};
+    #[pymodule_export]
     use crate::devices::{ScriptedDevice, SimulatedDevice};
     #[pymodule_export]
     use crate::errors::{GridError, SessionError};

@@ -116,6 +116,22 @@ impl Grid {
         Some(self.storage.address().wrapping_add(offset as usize))
     }
 
+    /// Copies the bytes of a row's samples, from the first to the last, as they lie.
+    ///
+    /// # Panics
+    /// Where there is no such row, or `bytes` are not as many as its samples have.
+    pub fn copy_row(&self, row: u32, bytes: &mut [u8]) {
+        let layout = &self.layout;
+        let length = layout.columns() as usize * layout.sample().bytes();
+        assert!(row < layout.rows(), "no row {row}");
+        assert_eq!(bytes.len(), length, "bytes of a row");
+        let offset = layout.offset() + u64::from(row) * layout.row_stride();
+        let first = self.storage.address().wrapping_add(offset as usize);
+        // SAFETY: the layout lies within the storage, which stays readable while the grid lives; what
+        // is read may change meanwhile, and any bytes are samples.
+        unsafe { std::ptr::copy_nonoverlapping(first, bytes.as_mut_ptr(), length) };
+    }
+
     pub(crate) fn storage(&self) -> &Storage {
         &self.storage
     }
