@@ -4,7 +4,7 @@ use crate::error::DecodeError;
 use crate::source::Source;
 
 /// Bytes read at a time.
-const PIECE: usize = 1 << 20;
+const PIECE: usize = 1 << 18;
 
 /// Bytes of a word beyond which it is no number, however many zeros it has.
 pub const LONGEST: usize = 512;

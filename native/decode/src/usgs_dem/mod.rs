@@ -23,7 +23,7 @@ use crate::window::Window;
 use profile::{Head, Wrong, first_profile, heights};
 use spread::Spread;
 use std::path::Path;
-use stored::Found;
+use stored::{Found, Seen};
 use surface::{Grid, GridLayout};
 
 /// Heights that mean "no data".
@@ -82,8 +82,8 @@ impl UsgsDem {
         let (profiles, found) = find(&mut window, &header, first as u64, &mut notes, progress)?;
         let spread = Spread::of(&header, &profiles, &found, &mut notes)?;
         let stored = Stored::of(&header, &found)?;
-        if found.odd_blanks > 0 {
-            notes.push(format!("{} heights are blank: they are voids.", found.odd_blanks));
+        if found.blanks > 0 {
+            notes.push(format!("{} heights are blank: they are voids.", found.blanks));
         }
         Ok(Self { source, header, profiles, spread, stored, found, notes })
     }
@@ -146,9 +146,9 @@ impl UsgsDem {
         self.stored.check(&layout)?;
         let mut target = room(layout, cache)?;
         let pen = Pen::of(&layout);
-        for row in 0..layout.rows() {
-            pen.fill(target.row(row), self.stored.void);
-        }
+        pen.fill(target.row(0), self.stored.void);
+        let voids = target.row(0).to_vec();
+        (1..layout.rows()).for_each(|row| target.row(row).copy_from_slice(&voids));
         let mut window = Window::new(&self.source);
         let all = self.profiles.len() as u64;
         for (index, profile) in self.profiles.iter().enumerate() {
@@ -193,16 +193,15 @@ fn find(
     {
         let index = profiles.len();
         progress.step(start, window.length())?;
-        let mut blanks = 0;
+        let mut seen = Seen::default();
         let take = |_, height: Option<i32>| match height {
             Some(height) if VOIDS.contains(&height) => {}
-            Some(height) => found.add(height, &head, header.resolution),
-            None => blanks += 1,
+            Some(height) => seen.add(height),
+            None => seen.blanks += 1,
         };
         let (whole, behind) =
             heights(window, start, head.heights, take).map_err(|wrong| refusal(wrong, index))?;
-        found.odd_blanks += blanks;
-        found.datum(&head);
+        found.add(&seen, &head, header.resolution);
         if whole < head.heights {
             notes.push(format!(
                 "The file ends in profile {}: {whole} of its {} heights are there.",

@@ -16,7 +16,7 @@ pub const HEAD: usize = 144;
 /// Columns of a height.
 const FIELD: usize = 6;
 /// Heights in the first record of a profile, and in each later one.
-const HEIGHTS: (usize, usize) = (146, 170);
+const HEIGHTS: (u32, u32) = (146, 170);
 /// Bytes that a record may take at the most, with its line end.
 const LONGEST: usize = RECORD + 8;
 
@@ -78,44 +78,52 @@ pub fn heights(
     count: u32,
     mut take: impl FnMut(u32, Option<i32>),
 ) -> Result<(u32, u64), Wrong> {
-    let (mut done, mut record, mut skipped, mut room) = (0, start, HEAD, HEIGHTS.0);
-    loop {
-        let here = (count - done).min(room as u32) as usize;
+    let (mut done, mut record) = (0, start);
+    while done < count {
         let bytes = window.at(record, LONGEST)?;
-        let after_head = bytes.get(skipped..).unwrap_or_default();
-        let fields = skipped + if done == 0 { line_end(after_head) } else { 0 };
-        let behind = fields + here * FIELD;
-        let line = bytes.iter().position(|byte| matches!(byte, b'\n' | b'\r'));
+        let (first, most) = if done == 0 { first_fields(bytes) } else { (0, HEIGHTS.1) };
+        let here = (count - done).min(most);
+        let behind = first + here as usize * FIELD;
+        let line = line_end_from(bytes, first);
         // Blanks at the end of a line may be gone, and blank heights with them.
-        let line = line.filter(|end| *end >= fields);
-        let end = line.map_or(bytes.len(), |end| end.min(behind)).max(fields.min(bytes.len()));
-        for (index, field) in bytes[fields.min(end)..end].chunks(FIELD).enumerate() {
+        let fields = bytes.get(first..line.unwrap_or(bytes.len()).min(behind)).unwrap_or_default();
+        let mut read = 0;
+        for field in fields.chunks(FIELD) {
             let is_cut = field.len() < FIELD && line.is_none();
-            match whole(field) {
-                _ if is_cut => return Ok((done + index as u32, record + bytes.len() as u64)),
-                Whole::Number(number) => take(done + index as u32, Some(number)),
-                Whole::Blank => take(done + index as u32, None),
+            let height = match whole(field) {
+                _ if is_cut => break,
+                Whole::Number(number) => Some(number),
+                Whole::Blank => None,
                 Whole::Wrong => {
                     let found = String::from_utf8_lossy(field).into_owned();
-                    return Err(Wrong::Height { number: done + index as u32 + 1, found });
+                    return Err(Wrong::Height { number: done + read + 1, found });
                 }
-            }
+            };
+            take(done + read, height);
+            read += 1;
         }
-        let read = (end - fields.min(end)).div_ceil(FIELD) as u32;
-        let is_over = read < here as u32 && line.is_none();
-        if is_over || read == 0 {
+        if read == 0 || read < here && line.is_none() {
             return Ok((done + read, record + bytes.len() as u64));
         }
-        for number in read..here as u32 {
-            take(done + number, None);
-        }
-        done += here as u32;
+        (read..here).for_each(|number| take(done + number, None));
+        done += here;
         record += next_record(bytes, behind, line) as u64;
-        if done == count {
-            return Ok((done, record));
-        }
-        (skipped, room) = (0, HEIGHTS.1);
     }
+    Ok((done, record))
+}
+
+/// Where the heights of a profile's first record begin, and how many it has at the most.
+fn first_fields(bytes: &[u8]) -> (usize, u32) {
+    (HEAD + line_end(bytes.get(HEAD..).unwrap_or_default()), HEIGHTS.0)
+}
+
+/// The place of the first line end from `first` on. Most files have none, which is quickly seen.
+fn line_end_from(bytes: &[u8], first: usize) -> Option<usize> {
+    if !bytes.contains(&b'\n') && !bytes.contains(&b'\r') {
+        return None;
+    }
+    let rest = bytes.get(first..)?;
+    rest.iter().position(|byte| matches!(byte, b'\n' | b'\r')).map(|place| first + place)
 }
 
 /// What went wrong in a profile.

@@ -11,7 +11,7 @@ pub struct Found {
     /// How many, voids left out.
     pub heights: u64,
     /// Voids that are written as blanks.
-    pub odd_blanks: u64,
+    pub blanks: u64,
     /// In the file's unit of heights.
     pub lowest: f64,
     /// In the file's unit of heights.
@@ -26,7 +26,7 @@ impl Default for Found {
     fn default() -> Self {
         Self {
             heights: 0,
-            odd_blanks: 0,
+            blanks: 0,
             lowest: f64::INFINITY,
             highest: f64::NEG_INFINITY,
             numbers: (i32::MAX, i32::MIN),
@@ -37,22 +37,46 @@ impl Default for Found {
 }
 
 impl Found {
-    /// Another height, as the number in the file.
-    #[inline]
-    pub fn add(&mut self, number: i32, head: &Head, resolution: f64) {
-        let height = f64::from(number) * resolution + head.local_datum;
-        self.heights += 1;
-        self.lowest = self.lowest.min(height);
-        self.highest = self.highest.max(height);
-        self.numbers = (self.numbers.0.min(number), self.numbers.1.max(number));
-    }
-
     /// Another profile.
-    pub fn datum(&mut self, head: &Head) {
+    pub fn add(&mut self, seen: &Seen, head: &Head, resolution: f64) {
         let datum = head.local_datum;
         let (least, most) = self.datums.unwrap_or((datum, datum));
         self.datums = Some((least.min(datum), most.max(datum)));
         self.datums_are_whole &= datum == datum.trunc();
+        self.blanks += seen.blanks;
+        self.heights += seen.heights;
+        if seen.heights > 0 {
+            let height = |number: i32| f64::from(number) * resolution + datum;
+            self.lowest = self.lowest.min(height(seen.lowest));
+            self.highest = self.highest.max(height(seen.highest));
+            self.numbers = (self.numbers.0.min(seen.lowest), self.numbers.1.max(seen.highest));
+        }
+    }
+}
+
+/// What the numbers of a profile turned out to be.
+#[derive(Clone, Copy, Debug)]
+pub struct Seen {
+    heights: u64,
+    /// Blank fields.
+    pub blanks: u64,
+    lowest: i32,
+    highest: i32,
+}
+
+impl Default for Seen {
+    fn default() -> Self {
+        Self { heights: 0, blanks: 0, lowest: i32::MAX, highest: i32::MIN }
+    }
+}
+
+impl Seen {
+    /// Another number that is no void.
+    #[inline]
+    pub fn add(&mut self, number: i32) {
+        self.heights += 1;
+        self.lowest = self.lowest.min(number);
+        self.highest = self.highest.max(number);
     }
 }
 
