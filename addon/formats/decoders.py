@@ -8,6 +8,9 @@ from pathlib import Path
 from proxygraph import Grid, GridLayout, Progress
 
 from .decoding import Decoding
+from .esri_ascii_decoder import decode_esri_ascii
+from .raw_decoder import decode_raw
+from .usgs_dem_decoder import decode_usgs_dem
 
 Decoder = Callable[[Path, GridLayout, Decoding, Progress | None], Grid]
 """Takes the data file, the packed layout that is wanted, the decoding, and where to tell progress.
@@ -15,4 +18,8 @@ Decoder = Callable[[Path, GridLayout, Decoding, Progress | None], Grid]
 Raises ``DecodeError`` (field, found, expected), ``GridError``, ``OSError`` or ``CancelledError``.
 """
 
-DECODERS: dict[str, Decoder] = {}
+DECODERS: dict[str, Decoder] = {
+    "esri_ascii": decode_esri_ascii,
+    "raw": decode_raw,
+    "usgs_dem": decode_usgs_dem,
+}

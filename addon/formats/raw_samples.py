@@ -61,7 +61,7 @@ class RawSamples:
     row_stride: int | None = None
     """Bytes from one row to the next; ``None``: the rows are packed."""
     south_first: bool = False
-    """Whether the file's first row is the southernmost; row 0 of what is decoded is always the northernmost."""
+    """Whether the file's first row is the southernmost; row 0 of what is decoded is the northernmost."""
     wraps: bool = False
     """Whether column ``columns`` is column 0 again, so that a region may run on beyond the last one."""
 
