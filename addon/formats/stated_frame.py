@@ -102,9 +102,7 @@ def _projected(node: WktNode) -> StatedFrame | None:
     if isinstance(projection, Unknown):
         method = node.child("PROJECTION")
         stated = method.text() if method is not None else "none"
-        notes = (
-            f"The projection {stated[:60]} is not known here: places are told in the map's metres alone.",
-        )
+        notes = (f"The projection {stated[:60]} is not known here: places are told in its metres.",)
     return StatedFrame(
         geographic.body, geographic.ellipsoid, projection, node.text(), unit=metres, notes=notes
     )
@@ -124,9 +122,7 @@ def _projection(node: WktNode, geographic: StatedFrame, metres: float) -> Projec
         return usual
 
     degrees = geographic.unit
-    central = parameter(
-        "centralmeridian longitudeofcenter longitudeoforigin straightverticallongitude", 0.0, degrees
-    )
+    central = parameter("centralmeridian longitudeofcenter longitudeoforigin", 0.0, degrees)
     common = {
         "central_longitude": central + geographic.shift_x,
         "false_easting": parameter("falseeasting", 0.0, metres),
@@ -213,7 +209,7 @@ def _of_keywords(text: str) -> StatedFrame | None:
         projection = utm(abs(zone), north=zone > 0)
         return StatedFrame("Earth", ellipsoid, projection, title, unit=length, vertical_unit=height)
     stated = words["PROJECTION"][:60]
-    note = f"The projection {stated} is not known here: places are told in the map's metres alone."
+    note = f"The projection {stated} is not known here: places are told in its metres."
     return StatedFrame(
         "Earth", ellipsoid, Unknown(), f"{name}, {stated}", unit=length, vertical_unit=height, notes=(note,)
     )

@@ -8,7 +8,7 @@ from .projections import KINDS, Projection, Unknown
 
 
 def stated_projection(name: str, **parameters: float) -> Projection:
-    """The projection of this name in ``KINDS``; ``Unknown`` where there is none: touch is right all the same."""
+    """The projection of this name in ``KINDS``; ``Unknown`` where there is none: touch is right anyway."""
     kind: Any = KINDS.get(name)
     if kind is None:
         return Unknown()

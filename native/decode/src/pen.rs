@@ -21,7 +21,7 @@ impl Pen {
     }
 
     /// Writes sample `index` of a row; a number that the type has not becomes the nearest that it has.
-    #[inline]
+    #[inline(always)]
     pub fn put(&self, row: &mut [u8], index: usize, number: f64) {
         let place = &mut row[index * self.bytes()..][..self.bytes()];
         match (self.sample, self.order) {
@@ -52,6 +52,17 @@ impl Pen {
             (SampleType::F64, ByteOrder::Big) => place.copy_from_slice(&number.to_be_bytes()),
             (SampleType::F64, ByteOrder::Little) => place.copy_from_slice(&number.to_le_bytes()),
         }
+    }
+
+    /// Writes sample `index` of a row; quicker where it is of 16 bits, whose number must fit.
+    #[inline(always)]
+    pub fn put_whole(&self, row: &mut [u8], index: usize, number: i32) {
+        let bytes = match (self.sample, self.order) {
+            (SampleType::I16, ByteOrder::Big) => (number as i16).to_be_bytes(),
+            (SampleType::I16, ByteOrder::Little) => (number as i16).to_le_bytes(),
+            _ => return self.put(row, index, number.into()),
+        };
+        row[2 * index..][..2].copy_from_slice(&bytes);
     }
 
     /// Writes the same number into every sample of a row.

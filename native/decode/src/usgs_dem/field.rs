@@ -26,7 +26,9 @@ pub fn whole(field: &[u8]) -> Whole {
 fn six_columns([a, b, c, d, e, f]: [u8; 6]) -> Option<i32> {
     const EACH: u64 = 0x0101_0101_0101_0101;
     // Two columns of zeros in front; the first column is in the lowest byte.
-    let columns = u64::from_le_bytes([b'0', b'0', a, b, c, d, e, f]);
+    let (first_four, last_two) = (u32::from_le_bytes([a, b, c, d]), u16::from_le_bytes([e, f]));
+    let zeros = u64::from(u16::from_le_bytes([b'0', b'0']));
+    let columns = zeros | u64::from(first_four) << 16 | u64::from(last_two) << 48;
     // Of the letters that count, only blanks lack this bit.
     let is_blank = (!columns >> 4) & EACH;
     let blanks = is_blank * 0xff;
@@ -84,18 +86,27 @@ fn signed(number: i32, is_negative: bool) -> i32 {
 /// Reads a field of real numbers; the exponent is written with D or E. `None` where it is blank, the
 /// field's text where it is no finite number.
 pub fn real(field: &[u8]) -> Result<Option<f64>, String> {
-    let text = String::from_utf8_lossy(field);
-    let text = text.trim();
+    let text = field.trim_ascii();
     if text.is_empty() {
         return Ok(None);
     }
-    let written = text.replace(['D', 'd'], "E");
-    match written.parse::<f64>() {
-        // Rust's own words for infinity and NaN are finite in no header.
-        Ok(number) if number.is_finite() => Ok(Some(number)),
-        _ => Err(text.to_owned()),
+    let mut written = [0; LONGEST_REAL];
+    let written = match written.get_mut(..text.len()) {
+        Some(place) => place,
+        None => return Err(String::from_utf8_lossy(text).into_owned()),
+    };
+    for (place, byte) in written.iter_mut().zip(text) {
+        *place = if matches!(byte, b'D' | b'd') { b'E' } else { *byte };
+    }
+    match std::str::from_utf8(written).ok().and_then(|text| text.parse::<f64>().ok()) {
+        // Rust reads words for infinity and NaN too.
+        Some(number) if number.is_finite() => Ok(Some(number)),
+        _ => Err(String::from_utf8_lossy(text).into_owned()),
     }
 }
+
+/// Columns of a real number at the most.
+const LONGEST_REAL: usize = 24;
 
 #[cfg(test)]
 mod tests {

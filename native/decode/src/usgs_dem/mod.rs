@@ -163,8 +163,11 @@ impl UsgsDem {
                 if let Some(height) = height.filter(|height| !VOIDS.contains(height))
                     && (0..i64::from(layout.rows())).contains(&row)
                 {
-                    let sample = self.stored.sample_of(height, profile.head.local_datum);
-                    pen.put(target.row(row as u32), column as usize, sample);
+                    let (samples, column) = (target.row(row as u32), column as usize);
+                    match self.stored.adds_datum(height, profile.head.local_datum) {
+                        Some(sample) => pen.put(samples, column, sample),
+                        None => pen.put_whole(samples, column, height),
+                    }
                 }
             };
             heights(&mut window, profile.start, profile.whole, take)

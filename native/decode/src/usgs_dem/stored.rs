@@ -135,13 +135,10 @@ impl Stored {
         }
     }
 
-    /// The sample for a number of the file, in a profile with this datum.
+    /// The sample for a number of the file in a profile with this datum; `None`: the number itself.
     #[inline]
-    pub fn sample_of(&self, number: i32, local_datum: f64) -> f64 {
-        match self.adds {
-            None => f64::from(number),
-            Some(resolution) => f64::from(number) * resolution + local_datum,
-        }
+    pub fn adds_datum(&self, number: i32, local_datum: f64) -> Option<f64> {
+        self.adds.map(|resolution| f64::from(number) * resolution + local_datum)
     }
 
     /// Refuses a layout in another sample type.
