@@ -13,6 +13,7 @@ from .ehdr import read_ehdr
 from .elevation_grid import ElevationGrid
 from .envi import read_envi
 from .envi_header import MAGIC as ENVI_MAGIC
+from .esri_ascii import read_esri_ascii
 from .file_bytes import file_length, read_head
 from .format_error import FormatError
 from .gridfloat import read_gridfloat
@@ -28,6 +29,7 @@ from .pds4_array import read_pds4
 from .pds4_label import NAMESPACE
 from .text_grids import looks_like_esri_ascii, looks_like_usgs_dem
 from .tiff_magic import looks_like_tiff
+from .usgs_dem import read_usgs_dem
 
 SUFFIXES = (
     ".lbl",
@@ -222,8 +224,10 @@ FAMILIES = (
     Family("PDS3", _is_pds3, lambda file: read_pds3(file.path)),
     Family("ENVI", _is_envi_header, lambda file: read_envi(file.path)),
     Family("EHdr", _is_keyword_header, lambda file: _read_keyword_header(file.path, None)),
-    Family("Esri ASCII", lambda file: looks_like_esri_ascii(file.head), _not_read_yet("Esri ASCII")),
-    Family("USGS DEM", lambda file: looks_like_usgs_dem(file.head), _not_read_yet("USGS DEM")),
+    Family(
+        "Esri ASCII", lambda file: looks_like_esri_ascii(file.head), lambda file: read_esri_ascii(file.path)
+    ),
+    Family("USGS DEM", lambda file: looks_like_usgs_dem(file.head), lambda file: read_usgs_dem(file.path)),
     # What lies beside raw samples.
     Family("PDS3", _pds3_label_beside, lambda file: read_pds3(file.path)),
     Family("PDS4", _pds4_label_beside, lambda file: read_pds4(file.path)),

@@ -57,7 +57,7 @@ def read_ehdr(header_path: Path, data_path: Path | None = None) -> ElevationGrid
     samples, notes = _samples(header)
     samples.check_size(header.wrong, "NROWS", "NCOLS")
     georeference, frame = _georeference(header, data_path, samples)
-    layout, decoding = samples.placed(georeference, header.wrong)
+    layout, decoding = frame.in_metres(samples).placed(georeference, header.wrong)
     bands = header.whole("NBANDS", 1)
     check_length(
         data_path,

@@ -9,12 +9,13 @@ from __future__ import annotations
 from pathlib import Path
 
 from .data_beside import first_beside
+from .datums import WGS84
 from .elevation_grid import ElevationGrid
 from .ellipsoid import Ellipsoid
 from .envi_header import EnviHeader, read_envi_header
 from .file_bytes import check_length
 from .georeference import Georeference
-from .map_frame import GEOGRAPHIC_WGS84, WGS84, MapFrame, assumed_frame, frame_of_text
+from .map_frame import GEOGRAPHIC_WGS84, MapFrame, assumed_frame, frame_of_text
 from .partner_file import file_in_any_case
 from .projections import Geographic, TransverseMercator, Unknown
 from .raw_samples import RAW_BYTES, ByteOrder, RawSample
@@ -164,7 +165,7 @@ def _frame(
 ) -> MapFrame:
     """The coordinate system string where it is understood, else the names in ``map info``."""
     told = header.text("coordinate system string", "")
-    frame = frame_of_text(told, "coordinate system string") if told else None
+    frame = frame_of_text(told) if told else None
     if frame is not None:
         return frame
     name = positional[0].lower()

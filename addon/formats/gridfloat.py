@@ -50,7 +50,7 @@ def read_gridfloat(header_path: Path, data_path: Path | None = None) -> Elevatio
     first_x, first_y, registration = first_sample(header, rows, step_x, step_y)
     frame = frame_beside(data_path, first_x, first_y, step_x, columns)
     georeference = frame.georeference(first_x, first_y, step_x, step_y, registration, header.wrong, rows)
-    layout, decoding = samples.placed(georeference, header.wrong)
+    layout, decoding = frame.in_metres(samples).placed(georeference, header.wrong)
     check_length(data_path, layout.byte_length, f"NROWS and NCOLS in {header_path.name}", exact=True)
     return ElevationGrid(
         path=header_path,

@@ -12,11 +12,11 @@ from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
+from .datums import WGS84
 from .elevation_grid import ElevationGrid
 from .file_bytes import file_length
 from .format_error import FormatError
 from .georeference import Georeference
-from .map_frame import WGS84
 from .projections import Geographic
 from .refusal import refusal
 from .stored_samples import StoredSamples

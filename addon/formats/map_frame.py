@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from .data_beside import first_beside
+from .datums import WGS84
 from .ellipsoid import Ellipsoid
 from .file_bytes import read_head
 from .georeference import Georeference, LatitudeKind, Registration
 from .projections import Geographic, Projection, Unknown
-from .stored_samples import Refuse
+from .stated_frame import stated_frame
+from .stored_samples import Refuse, StoredSamples
 
-WGS84 = Ellipsoid.flattened(6_378_137.0, 298.257223563)
-"""World Geodetic System 1984 (NIMA TR8350.2)."""
+EARTH_HEIGHTS = "mean sea level"
 
 MAXIMUM_BYTES = 64 << 10
 """Of a ``.prj`` file; they have some 500."""
@@ -28,8 +29,14 @@ class MapFrame:
     ellipsoid: Ellipsoid
     projection: Projection
     frame: str = ""
-    vertical_reference: str = "mean sea level"
+    vertical_reference: str = EARTH_HEIGHTS
     latitude_kind: LatitudeKind = "planetographic"
+    unit: float = 1.0
+    """Degrees or metres for one of the map's own units."""
+    shift_x: float = 0.0
+    """Degrees east of Greenwich that longitudes are counted from."""
+    vertical_unit: float = 1.0
+    """Metres for one unit of height."""
     notes: tuple[str, ...] = ()
 
     def georeference(
@@ -42,7 +49,9 @@ class MapFrame:
         refuse: Refuse,
         rows: int,
     ) -> Georeference:
-        """The place of a grid on this map; refuses what is beyond any body."""
+        """The place of a grid on this map, its numbers in the map's own units; refuses what is on no body."""
+        first_x, first_y = first_x * self.unit + self.shift_x, first_y * self.unit
+        step_x, step_y = step_x * self.unit, step_y * self.unit
         last_y = first_y - (rows - 1) * step_y
         sane = all(math.isfinite(number) and abs(number) < 1e12 for number in (first_x, first_y, last_y))
         # Steps that are lost beside the coordinates make one place of all samples.
@@ -67,9 +76,18 @@ class MapFrame:
             step_x=step_x,
             step_y=step_y,
             vertical_reference=self.vertical_reference,
+            vertical_unit="m" if self.vertical_unit == 1.0 else f"{self.vertical_unit:g} m",
             latitude_kind=self.latitude_kind,
             registration=registration,
             frame=self.frame,
+        )
+
+    def in_metres(self, samples: StoredSamples) -> StoredSamples:
+        """The same samples, their heights in the unit that this map states."""
+        return replace(
+            samples,
+            scale=samples.scale * self.vertical_unit,
+            value_offset=samples.value_offset * self.vertical_unit,
         )
 
 
@@ -80,25 +98,29 @@ def frame_beside(data_path: Path, first_x: float, first_y: float, step_x: float,
     """Follow the ``.prj`` file beside the data; where there is none, see whether these may be degrees."""
     beside = first_beside(data_path, [".prj"])
     if beside is not None:
-        frame = frame_of_text(read_head(beside, MAXIMUM_BYTES).decode("latin-1"), beside.name)
+        frame = frame_of_text(read_head(beside, MAXIMUM_BYTES).decode("latin-1"))
         if frame is not None:
             return frame
     told = f"{beside.name} is not understood" if beside is not None else "There is no .prj file"
     return assumed_frame(told, first_x, first_y, step_x, columns)
 
 
-def frame_of_text(text: str, name: str) -> MapFrame | None:
-    """The frame that a ``.prj`` file or a coordinate system string states; ``None``: not understood.
-
-    The only place that knows who follows such texts.
-    """
-    words = text.upper()
-    if words.lstrip().startswith("GEOGCS") and "WGS" in words and "84" in words:
-        return GEOGRAPHIC_WGS84
-    keywords = {pair[0]: pair[1] for line in words.splitlines() if len(pair := line.split()) >= 2}
-    if keywords.get("PROJECTION") == "GEOGRAPHIC" and keywords.get("DATUM") in {"WGS84", "WGS_84"}:
-        return GEOGRAPHIC_WGS84
-    return None
+def frame_of_text(text: str) -> MapFrame | None:
+    """The frame that a ``.prj`` file or a coordinate system string states; ``None``: not understood."""
+    stated = stated_frame(text)
+    if stated is None:
+        return None
+    return MapFrame(
+        stated.body,
+        stated.ellipsoid,
+        stated.projection,
+        stated.name,
+        vertical_reference=EARTH_HEIGHTS if stated.body == "Earth" else "not stated",
+        unit=stated.unit,
+        shift_x=stated.shift_x,
+        vertical_unit=stated.vertical_unit,
+        notes=stated.notes,
+    )
 
 
 def assumed_frame(told: str, first_x: float, first_y: float, step_x: float, columns: int) -> MapFrame:

@@ -9,13 +9,14 @@ from typing import Any, Literal
 from proxygraph import Grid, GridError, GridLayout, Progress
 
 from . import jpeg2000
+from .datums import WGS84
 from .decoders import DECODERS
 from .decoding import Decoding
 from .elevation_grid import ElevationGrid
 from .ellipsoid import Ellipsoid
 from .format_error import FormatError
 from .georeference import Georeference
-from .map_frame import WGS84, frame_of_text
+from .map_frame import frame_of_text
 from .not_a_grid import kind_of_file
 from .projections import Geographic, Projection, Unknown
 from .refusal import first_line, refusal
@@ -192,8 +193,8 @@ def _georeference(source: Any, refuse: Any) -> tuple[Georeference, tuple[str, ..
     crs = source.crs
     if crs is not None:
         frame = str(crs.to_string())[:200]
-        told = frame_of_text(crs.to_wkt(), "coordinate system")
-        if told is not None:
+        told = frame_of_text(crs.to_wkt())
+        if told is not None and (told.unit, told.shift_x) == (1.0, 0.0):
             projection, ellipsoid, body = told.projection, told.ellipsoid, told.body
         elif crs.is_geographic:
             projection, ellipsoid = Geographic(), _ellipsoid(crs) or WGS84
