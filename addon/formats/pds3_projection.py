@@ -63,13 +63,8 @@ def pds3_georeference(label: Label, rows: int, columns: int, values: Pds3Values)
             "Maps with longitudes to the west are not read yet.",
         )
     place = _Place(label, rows, columns, values)
-    if projection == "SIMPLE CYLINDRICAL":
-        return place.from_limits()
-    if projection.startswith("EQUIRECTANGULAR"):
-        return place.from_offsets_in_degrees() if place.has_offsets else place.from_limits()
-    if projection == "POLAR STEREOGRAPHIC":
-        return place.polar()
-    return place.in_metres(projection)
+    georeference, notes = place.of(projection)
+    return georeference, (*notes, *place.rotation_notes())
 
 
 class _Place:
@@ -80,6 +75,23 @@ class _Place:
         self.rows = rows
         self.columns = columns
         self.values = values
+
+    def of(self, projection: str) -> Found:
+        """By the projection's name, in capitals, words apart."""
+        if projection == "SIMPLE CYLINDRICAL":
+            return self.from_limits()
+        if projection.startswith("EQUIRECTANGULAR"):
+            return self.from_offsets_in_degrees() if self.has_offsets else self.from_limits()
+        if projection == "POLAR STEREOGRAPHIC":
+            return self.polar()
+        return self.in_metres(projection)
+
+    def rotation_notes(self) -> tuple[str, ...]:
+        """What is told of a turned map: archives hardly have one, and which way it turns is not agreed."""
+        rotation = self._optional("MAP_PROJECTION_ROTATION", DEGREES)
+        if not rotation:
+            return ()
+        return (f"The label states a map turned by {rotation:g} degrees, which is not applied to places.",)
 
     @property
     def has_offsets(self) -> bool:

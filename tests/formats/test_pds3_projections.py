@@ -222,6 +222,12 @@ def test_latitudes_beyond_the_poles_are_refused(tmp_path: Path, field: str) -> N
     assert field in complaint(equirectangular(**{field: 90000}).write(tmp_path))
 
 
+@pytest.mark.parametrize(("written", "told"), [("0.0", False), ("'N/A'", False), ("90.0 <DEG>", True)])
+def test_a_turned_map_says_so(tmp_path: Path, written: str, told: bool) -> None:
+    pair = MegdrPair(rough(4, 6), projection={"MAP_PROJECTION_ROTATION": written})
+    assert ("turned by 90" in " ".join(read_grid(pair.write(tmp_path)).notes)) == told
+
+
 def test_another_projection_is_touched_in_metres(tmp_path: Path) -> None:
     grid = read_grid(equirectangular(MAP_PROJECTION_TYPE="BONNE").write(tmp_path))
     assert grid.georeference.longitude_latitude(0, 0) is None
