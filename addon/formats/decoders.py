@@ -9,6 +9,7 @@ from proxygraph import Grid, GridLayout, Progress
 
 from .decoding import Decoding
 from .esri_ascii_decoder import decode_esri_ascii
+from .rasterio_decoder import decode_through_rasterio
 from .raw_decoder import decode_raw
 from .usgs_dem_decoder import decode_usgs_dem
 
@@ -20,6 +21,7 @@ Raises ``DecodeError`` (field, found, expected), ``GridError``, ``OSError`` or `
 
 DECODERS: dict[str, Decoder] = {
     "esri_ascii": decode_esri_ascii,
+    "rasterio": decode_through_rasterio,
     "raw": decode_raw,
     "usgs_dem": decode_usgs_dem,
 }

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from importlib import import_module
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any
 
-from proxygraph import Grid, GridError, GridLayout, Progress
+from proxygraph import GridError, GridLayout
 
 from . import jpeg2000
 from .datums import WGS84
-from .decoders import DECODERS
 from .decoding import Decoding
 from .elevation_grid import ElevationGrid
 from .ellipsoid import Ellipsoid
@@ -19,10 +17,12 @@ from .georeference import Georeference
 from .map_frame import frame_of_text
 from .not_a_grid import kind_of_file
 from .projections import Geographic, Projection, Unknown
+from .rasterio_library import SAMPLES, open_raster, rasterio_module
 from .refusal import first_line, refusal
+from .region import SAMPLE_BYTES
 
 KIND = "rasterio"
-"""Of the decoder."""
+"""In ``DECODERS``."""
 
 MAGICS = (
     *((magic, "JPEG 2000") for magic in jpeg2000.MAGICS),
@@ -45,43 +45,15 @@ MAGICS = (
 )
 """How formats begin that GDAL reads and that are known by name."""
 
-DRIVERS = (
-    *("AIG", "BAG", "BT", "BSB", "CTable2", "DTED", "FITS", "GRIB", "GS7BG", "GSAG", "GSBG", "GTiff", "GXF"),
-    *("HDF4", "HDF4Image", "HDF5", "HDF5Image", "HFA", "ILWIS", "ISIS2", "ISIS3", "JP2OpenJPEG", "JP2ECW"),
-    *("JP2KAK", "KEA", "Leveller", "netCDF", "NITF", "NWT_GRD", "NTv2", "PCRaster", "RMF", "RST", "SAGA"),
-    *("SDTS", "SIGDEM", "SNAP_TIFF", "SRTMHGT", "Terragen", "VICAR", "XYZ", "ZMap"),
-)
-"""GDAL's names of formats that hold their own samples; others lead to other files, or into the network."""
-
 MOST_BYTES = 4 << 30
 """Of samples that are brought into memory; a small packed file may stand for more than any machine has."""
-
-ROWS_AT_ONCE = 256
-
-SampleType = Literal["i16", "u16", "i32", "f32", "f64"]
-
-SAMPLES: dict[str, tuple[SampleType, str]] = {
-    "int8": ("i16", "int16"),
-    "uint8": ("i16", "int16"),
-    "int16": ("i16", "int16"),
-    "uint16": ("u16", "uint16"),
-    "int32": ("i32", "int32"),
-    "uint32": ("f64", "float64"),
-    "int64": ("f64", "float64"),
-    "uint64": ("f64", "float64"),
-    "float32": ("f32", "float32"),
-    "float64": ("f64", "float64"),
-}
-"""By rasterio's names: the sample of the layout, and what rasterio is asked to give."""
-
-SAMPLE_BYTES = {"i16": 2, "u16": 2, "i32": 4, "f32": 4, "f64": 8}
 
 
 def may_read(head: bytes) -> bool:
     """Whether this road is worth trying: a format known by name, or any bytes where rasterio is at hand."""
     if kind_of_file(head) is not None:
         return False
-    return format_name(head) is not None or _rasterio() is not None
+    return format_name(head) is not None or rasterio_module() is not None
 
 
 def format_name(head: bytes) -> str | None:
@@ -92,7 +64,7 @@ def format_name(head: bytes) -> str | None:
 
 def read_through_rasterio(path: Path) -> ElevationGrid:
     """Describe the first band of a raster that rasterio opens."""
-    rasterio = _rasterio()
+    rasterio = rasterio_module()
     if rasterio is None:
         raise FormatError(
             path,
@@ -102,7 +74,7 @@ def read_through_rasterio(path: Path) -> ElevationGrid:
             way_out="Install rasterio into Blender's Python, or convert the grid to GeoTIFF.",
         )
     try:
-        with rasterio.open(path, driver=list(DRIVERS)) as source:
+        with open_raster(rasterio, path) as source:
             return _described(path, source)
     except FormatError:
         raise
@@ -114,14 +86,6 @@ def read_through_rasterio(path: Path) -> ElevationGrid:
             expected="a raster that rasterio reads",
             way_out="Choose the label or header of the grid, or convert it to GeoTIFF.",
         ) from error
-
-
-def _rasterio() -> Any:
-    """The module where the person has it; a broken installation counts as none."""
-    try:
-        return import_module("rasterio")
-    except Exception:  # a library that cannot be loaded raises what it likes
-        return None
 
 
 def _described(path: Path, source: Any) -> ElevationGrid:
@@ -227,47 +191,3 @@ def _ellipsoid(crs: Any) -> Ellipsoid | None:
     except (TypeError, ValueError):
         return None
     return Ellipsoid(major, minor) if 0.0 < minor <= major else None
-
-
-def decode_through_rasterio(
-    path: Path, layout: GridLayout, decoding: Decoding, progress: Progress | None
-) -> Grid:
-    """Read the first band, or a region of it, some rows at a time."""
-    rasterio = _rasterio()
-    if rasterio is None:
-        raise OSError("rasterio, which read this file before, is not installed any more")
-    windows = import_module("rasterio.windows")
-    samples = bytearray(layout.samples * SAMPLE_BYTES[layout.sample])
-    row_bytes = layout.columns * SAMPLE_BYTES[layout.sample]
-    try:
-        with rasterio.open(path, driver=list(DRIVERS)) as source:
-            _, asked = SAMPLES[str(source.dtypes[0])]
-            for row in range(0, layout.rows, ROWS_AT_ONCE):
-                rows = min(ROWS_AT_ONCE, layout.rows - row)
-                block = b"".join(_columns(source, windows, asked, decoding, row, rows, layout.columns))
-                samples[row * row_bytes : (row + rows) * row_bytes] = block
-                if progress is not None:
-                    progress.step(row + rows, layout.rows)
-    except rasterio.errors.RasterioError as error:
-        raise OSError(first_line(error)) from error
-    return Grid.from_buffer(samples, layout)
-
-
-def _columns(
-    source: Any, windows: Any, asked: str, decoding: Decoding, row: int, rows: int, columns: int
-) -> list[bytes]:
-    """Some rows of the region, little-endian; columns across the seam come from the first ones."""
-    first = decoding.first_column
-    until = min(first + columns, source.width)
-    parts = [(first, until - first)]
-    if until - first < columns:
-        parts.append((0, columns - (until - first)))
-    blocks = [
-        source.read(1, window=windows.Window(start, decoding.first_row + row, count, rows), out_dtype=asked)
-        for start, count in parts
-    ]
-    little = [block.astype(block.dtype.newbyteorder("<"), copy=False) for block in blocks]
-    return [block[line].tobytes() for line in range(rows) for block in little]
-
-
-DECODERS[KIND] = decode_through_rasterio
