@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from addon.formats import read_grid
+from addon.formats import Region, read_grid
 from tests.formats.megdr_pair import rough
 from tests.formats.raw_grids import EhdrPair, packed
 from tests.formats.reading import SHARED, complaint, heights, needs, needs_raw_decoder
@@ -229,3 +229,12 @@ def test_the_real_tile() -> None:
     assert grid.georeference.x(-0.5) == pytest.approx(-2.0)
     assert grid.georeference.y(-0.5) == pytest.approx(54.0)
     assert grid.notes == ()
+
+
+@needs_raw_decoder
+def test_regions_of_decoded_samples(tmp_path: Path) -> None:
+    rows = [[row * 10 + column for column in range(6)] for row in range(4)]
+    grid = read_grid(EhdrPair(rows, words={"PIXELTYPE": None}, sample=">B").write(tmp_path))
+    part = grid.region(Region(2, 1, 3, 2))
+    assert heights(part) == [row[2:5] for row in rows[1:3]]
+    assert part.georeference.x(0) == grid.georeference.x(2)
