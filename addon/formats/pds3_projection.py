@@ -160,4 +160,5 @@ class _Place:
             vertical_reference=self.values.reference,
             vertical_unit=self.values.unit,
             latitude_kind=self.map.latitude_kind(),
+            frame=self.map.label.text(MAP, "COORDINATE_SYSTEM_NAME", default=""),
         )

@@ -97,6 +97,25 @@ def test_the_first_pixel_lies_where_the_labels_say(
     assert found[1] == pytest.approx(latitude, abs=5e-5)
 
 
+def test_a_map_of_lola_ends_where_its_catalogue_says(tmp_path: Path) -> None:
+    """DSMAP_POLAR.CAT: the 60 degree map extends "to latitude 48.48755 degrees at the corners and to 59.996
+    degrees at the edges"; at 240 m that is 7760 samples.
+    """
+    pair = polar(2, 1.0, 90, MAP_RESOLUTION="126.347 <pix/deg>", MAP_SCALE="240 <m/pix>")
+    pair.projection = {**pair.projection, "A_AXIS_RADIUS": "1737.4 <km>", "C_AXIS_RADIUS": "1737.4 <km>"}
+    label = unsigned(pair).write(tmp_path)
+    text = label.read_text().replace("LINES = 2", "LINES = 7760").replace("SAMPLES = 2", "SAMPLES = 7760")
+    label.write_text(text.replace("OFFSET = 1.5", "OFFSET = 3879.5"))
+    with label.with_suffix(".img").open("r+b") as file:
+        file.truncate(2 * 7760 * 7760)
+    place = read_grid(label).georeference
+    corner, edge = place.longitude_latitude(-0.5, -0.5), place.longitude_latitude(-0.5, 3879.5)
+    assert corner is not None
+    assert edge is not None
+    assert corner[1] == pytest.approx(48.48755, abs=5e-6)
+    assert edge[1] == pytest.approx(59.996, abs=5e-4)
+
+
 @pytest.mark.parametrize("offset", [2.5, 3.0, 3.5, None])
 def test_the_pole_is_in_the_middle_however_lines_are_counted(tmp_path: Path, offset: float | None) -> None:
     """MOLA counts lines from 1, LOLA from 0, and half a cell is disputed."""
