@@ -9,9 +9,10 @@ from proxygraph import Grid, GridLayout, Progress
 
 from .decoding import Decoding
 from .esri_ascii_decoder import decode_esri_ascii
+from .geotiff_decoder import decode_geotiff
+from .rasterio_decoder import decode_through_rasterio
 from .raw_decoder import decode_raw
 from .usgs_dem_decoder import decode_usgs_dem
-from .geotiff_decoder import decode_geotiff
 
 Decoder = Callable[[Path, GridLayout, Decoding, Progress | None], Grid]
 """Takes the data file, the packed layout that is wanted, the decoding, and where to tell progress.
@@ -22,6 +23,7 @@ Raises ``DecodeError`` (field, found, expected), ``GridError``, ``OSError`` or `
 DECODERS: dict[str, Decoder] = {
     "esri_ascii": decode_esri_ascii,
     "geotiff": decode_geotiff,
+    "rasterio": decode_through_rasterio,
     "raw": decode_raw,
     "usgs_dem": decode_usgs_dem,
 }

@@ -1,8 +1,12 @@
-"""A PDS3 label, with errors that name the file and the field."""
+"""A PDS3 label, detached or at the head of its data file, with errors that name the file and the field.
+
+Format: Planetary Data System Standards Reference, version 3.8 (JPL D-7669), chapters 5 (labels) and 12 (ODL).
+"""
 
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -10,18 +14,21 @@ from typing import Any, overload
 
 import pvl
 
+from .file_bytes import read_head
 from .format_error import FormatError
+from .label_parser import LabelParser
+from .refusal import first_line, refusal
 
 FIRST_KEYWORD = "PDS_VERSION_ID"
 
 MAXIMUM_BYTES = 64 << 10
-"""A detached label has 2 to 6 kilobytes; to follow a mebibyte of text takes half a minute."""
+"""A label has 2 to 6 kilobytes; to follow a mebibyte of text takes half a minute."""
+
+END_OF_LABEL = re.compile(r"^[ \t]*END[ \t]*(?=\r|\n|\Z)", re.MULTILINE)
+"""The statement after which the data begin where label and data are one file."""
 
 MAXIMUM_COUNT = 2**53
 """Beyond it doubles do not count every whole number."""
-
-MAXIMUM_FOUND = 120
-"""Letters of what was found that a message repeats."""
 
 Units = Mapping[str, float]
 """What a number is multiplied by for each unit that may be written beside it."""
@@ -89,13 +96,7 @@ class Label:
 
     def wrong(self, field: str, found: object, expected: object, way_out: str) -> FormatError:
         """Make the error for one of this label's fields."""
-        try:
-            text = str(found)
-        except ValueError:  # Python does not write whole numbers of thousands of digits
-            text = "a number of thousands of digits"
-        if len(text) > MAXIMUM_FOUND:
-            text = f"{text[:MAXIMUM_FOUND]}..."
-        return FormatError(self.path, field, found=text, expected=expected, way_out=way_out)
+        return refusal(self.path, field, found, expected, way_out)
 
     def _finite(self, field: str, value: Any) -> float:
         """Make a double; there are whole numbers that are too large for one."""
@@ -108,15 +109,15 @@ class Label:
 
 
 def read_label(path: Path) -> Label:
-    """Read a detached label."""
+    """Read a label: a file of its own, or the beginning of the data file."""
     text = _label_text(path)
     try:
-        keywords = pvl.loads(text)
+        keywords = pvl.loads(text, parser=LabelParser())
     except Exception as error:  # pvl raises several kinds for text that it cannot follow
         raise FormatError(
             path,
             "label",
-            found=f"text that cannot be followed ({_first_line(error)})",
+            found=f"text that cannot be followed ({first_line(error)})",
             expected="PDS3 keywords",
             way_out="Download the label again.",
         ) from error
@@ -124,27 +125,23 @@ def read_label(path: Path) -> Label:
 
 
 def _label_text(path: Path) -> str:
-    """Read the file when it looks like a label at all."""
-    try:
-        with path.open("rb") as file:
-            text = file.read(MAXIMUM_BYTES + 1).decode("latin-1")
-    except OSError as error:
-        raise FormatError(
-            path, "label", found=error.strerror, expected="a readable file", way_out="Check its permissions."
-        ) from error
-    if FIRST_KEYWORD not in text or len(text) > MAXIMUM_BYTES:
-        raise FormatError(
-            path,
-            "label",
-            found=f"no {FIRST_KEYWORD}"
-            if FIRST_KEYWORD not in text
-            else f"more than {MAXIMUM_BYTES:,} bytes",
-            expected="a PDS3 label",
-            way_out="This is not a label: choose the .lbl file that came with the grid.",
-        )
+    """Read the file up to its END when it looks like a label at all."""
+    text = read_head(path, MAXIMUM_BYTES + 1).decode("latin-1")
+    if FIRST_KEYWORD not in text:
+        raise _no_label(path, f"no {FIRST_KEYWORD}")
+    end = END_OF_LABEL.search(text)
+    if end is not None:
+        return text[: end.end()]
+    if len(text) > MAXIMUM_BYTES:
+        raise _no_label(path, f"more than {MAXIMUM_BYTES:,} bytes")
     return text
 
 
-def _first_line(error: Exception) -> str:
-    lines = str(error).strip().splitlines()
-    return lines[0][:MAXIMUM_FOUND] if lines else type(error).__name__
+def _no_label(path: Path, found: str) -> FormatError:
+    return FormatError(
+        path,
+        "label",
+        found=found,
+        expected="a PDS3 label",
+        way_out="This is not a label: choose the .lbl file that came with the grid.",
+    )

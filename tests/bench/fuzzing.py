@@ -9,7 +9,16 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 
-DECODE = ("cargo", "run", "--quiet", "--release", "--manifest-path", "native/Cargo.toml", "--package", "decode")
+DECODE = (
+    "cargo",
+    "run",
+    "--quiet",
+    "--release",
+    "--manifest-path",
+    "native/Cargo.toml",
+    "--package",
+    "decode",
+)
 
 FUZZERS = {
     "headers": (sys.executable, "-m", "tests.formats.fuzz_readers"),

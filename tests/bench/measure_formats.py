@@ -112,9 +112,7 @@ def race(runs: Sequence[Callable[[], object]], rounds: int) -> list[float]:
 
 def _measured(pair: Pair, rounds: int) -> dict[str, float | str]:
     _check_agreement(pair.path)
-    ours, gdal = race(
-        [lambda: read_grid(pair.path).open(), lambda: rasterio.open(pair.path).read(1)], rounds
-    )
+    ours, gdal = race([lambda: read_grid(pair.path).open(), lambda: rasterio.open(pair.path).read(1)], rounds)
     ratio = ours / gdal
     print(f"{pair.title:44} {ours * 1e3:9.1f} {gdal * 1e3:9.1f} {ratio:7.2f}   <= {pair.to_reach}")
     return {pair.key: ratio, f"{pair.key.removesuffix('_over_gdal')}_ms": ours * 1e3}
@@ -148,7 +146,9 @@ def _relief() -> Numbers:
 
 
 def _write_ascii(path: Path, heights: Numbers, number: str) -> None:
-    header = f"ncols {SIDE}\nnrows {SIDE}\nxllcorner 500000\nyllcorner 4100000\ncellsize 30\nNODATA_value -9999"
+    header = (
+        f"ncols {SIDE}\nnrows {SIDE}\nxllcorner 500000\nyllcorner 4100000\ncellsize 30\nNODATA_value -9999"
+    )
     np.savetxt(path, heights, fmt=number, header=header, comments="")
 
 
