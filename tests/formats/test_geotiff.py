@@ -447,6 +447,12 @@ def test_of_a_large_raster_bands_are_looked_at_and_a_note_says_so(
     assert any("as far as was looked at" in note for note in grid.notes)
 
 
+@pytest.mark.parametrize("void", [-3.4028234663852886e38, -999_999])
+def test_customary_voids_of_floating_point_are_holes(tmp_path: Path, void: float) -> None:
+    grid = read_geotiff(TiffFile([[void, 20], [30, void]], sample="f32").write(tmp_path))
+    assert read_back(grid) == [[None, 20], [30, None]]
+
+
 def test_a_trench_that_reaches_a_customary_value_is_no_hole(tmp_path: Path) -> None:
     heights = [[-9_999, -9_400, -8_700], [-9_990, -9_000, -10_910]]
     assert read_back(read_geotiff(TiffFile(heights).write(tmp_path))) == heights
@@ -549,9 +555,11 @@ def test_missing_and_absurd_tags_are_named(tmp_path: Path, tags: dict[int, Any],
 
 @pytest.mark.parametrize("compression", [1, 5, 8])
 def test_sizes_that_the_file_cannot_hold_are_refused(tmp_path: Path, compression: int) -> None:
-    huge = {256: (LONG, [2_000_000_000]), 257: (LONG, [2_000_000_000]), 278: (LONG, [2_000_000_000])}
-    file = TiffFile(rough(3, 5), compression=compression, tags=huge)
+    high = {257: (LONG, [2_000_000_000]), 278: (LONG, [2_000_000_000])}
+    file = TiffFile(rough(3, 5), compression=compression, tags=high)
     assert "strip 0" in refused(file.write(tmp_path)).field
+    wide = TiffFile(rough(3, 5), compression=compression, tags={256: (LONG, [2_000_000_000])})
+    assert refused(wide.write(tmp_path)).field == "row of samples"
 
 
 def test_a_predictor_of_floating_point_for_whole_numbers_is_refused(tmp_path: Path) -> None:

@@ -192,10 +192,23 @@ fn sizes_beyond_what_the_file_can_hold_are_refused_before_anything_is_allocated(
             tags: vec![(256, 4, vec![huge]), (257, 4, vec![huge]), (278, 4, vec![huge])],
             ..Default::default()
         };
-        assert!(field(&refusal(&file)).starts_with("strip 0"), "{compression}");
+        assert_eq!(field(&refusal(&file)), "row of samples", "{compression}");
+        let high = TiffBytes {
+            compression,
+            tags: vec![(257, 4, vec![huge]), (278, 4, vec![huge])],
+            ..Default::default()
+        };
+        assert!(field(&refusal(&high)).starts_with("strip 0"), "{compression}");
     }
     let many_strips = TiffBytes { tags: vec![(257, 4, vec![1 << 31])], ..Default::default() };
     assert_eq!(field(&refusal(&many_strips)), "StripOffsets");
+}
+
+#[test]
+fn rows_that_would_fill_the_memory_are_refused() {
+    let file =
+        TiffBytes { tile: Some((4, 4)), tags: vec![(322, 4, vec![1 << 31])], ..Default::default() };
+    assert_eq!(field(&refusal(&file)), "row of samples");
 }
 
 #[test]

@@ -7,6 +7,12 @@ use crate::error::DecodeError;
 use crate::source::Source;
 use std::ops::Range;
 
+/// Bytes of a row that every thread may hold, whatever the file: 16 million samples of 32 bits.
+const MOST_ROW: u64 = 1 << 26;
+
+/// Times that a row may be longer than its file where it is longer than that.
+const MOST_ROW_GROWTH: u64 = 16;
+
 /// The chunks of the first band, or of all bands where they lie side by side.
 #[derive(Debug)]
 pub struct Chunks {
@@ -61,6 +67,14 @@ impl Chunks {
             row_bytes: u64::from(columns) * picture.sample_step(),
             places: Vec::new(),
         };
+        let most_row = source.length().saturating_mul(MOST_ROW_GROWTH).max(MOST_ROW);
+        if chunks.row_bytes > most_row {
+            return Err(DecodeError::wrong(
+                "row of samples",
+                format!("{} bytes", chunks.row_bytes),
+                format!("at most {most_row} in a file of {} bytes", source.length()),
+            ));
+        }
         let count = across * u64::from(picture.rows.div_ceil(rows));
         chunks.places = chunks.read_places(source, directory, picture, count)?;
         for index in 0..chunks.places.len() {
