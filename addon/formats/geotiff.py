@@ -23,9 +23,6 @@ from .geotiff_tags import Tags
 from .geotiff_values import Values, values_of
 from .projections import Unknown
 
-SIGNATURES = (b"II*\0", b"MM\0*", b"II+\0", b"MM\0+")
-"""How a TIFF file begins: little or big-endian, and the same with places of 64 bits (BigTIFF)."""
-
 CONVERT = (
     "Convert the file to one that can be read: gdal_translate -co COMPRESS=DEFLATE old.tif new.tif, "
     "or the same with rasterio."
@@ -41,11 +38,6 @@ WAYS_OUT = {
     "file": "Choose the file itself.",
 }
 """By the field that cannot be used; whatever else is wrong, the file is damaged."""
-
-
-def is_geotiff(head: bytes) -> bool:
-    """Whether a file with these first bytes (4 or more) is a TIFF file."""
-    return head.startswith(SIGNATURES)
 
 
 def read_geotiff(path: Path) -> ElevationGrid:

@@ -1,8 +1,8 @@
-"""Measure how fast elevation files are read, beside GDAL in the same process; ``make bench-formats`` runs this.
+"""Measure how fast elevation files are read, beside GDAL in one process; ``make bench-formats`` runs this.
 
 Each pair reads the whole of one file into memory, the values are compared first, and readings take turns
-in shuffled order; a figure is a ratio of medians. Then the reader of the smallest MOLA grid, and the import of
-a grid into Blender, are timed alone, and the fuzzers of all readers run for a while.
+in shuffled order; a figure is a ratio of medians. Then the reader of the smallest MOLA grid, and the import
+of a grid into Blender, are timed alone, and the fuzzers of all readers run for a while.
 """
 
 from __future__ import annotations
@@ -142,7 +142,7 @@ def _relief() -> Numbers:
     rows, columns = np.mgrid[0:SIDE, 0:SIDE]
     noise = np.random.default_rng(1).normal(0.0, 4.0, (SIDE, SIDE))
     smooth = 1200.0 * np.sin(columns / 190.0) * np.cos(rows / 160.0) + 300.0 * np.sin((columns + rows) / 23.0)
-    return np.round(1500.0 + smooth + noise)
+    return np.asarray(np.round(1500.0 + smooth + noise), dtype=np.float64)
 
 
 def _write_ascii(path: Path, heights: Numbers, number: str) -> None:

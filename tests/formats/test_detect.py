@@ -54,9 +54,9 @@ def test_what_is_no_grid_is_named_whatever_it_is_called(
 @pytest.mark.parametrize(
     ("content", "word"),
     [
-        (b"II*\0\x08\0\0\0", "GeoTIFF"),
-        (b"MM\0*\0\0\0\x08", "GeoTIFF"),
-        (b"II+\0\x08\0\0\0", "GeoTIFF"),
+        (b"II*\0\x08\0\0\0", "TIFF"),
+        (b"MM\0*\0\0\0\x08", "TIFF"),
+        (b"II+\0\x08\0\0\0", "TIFF"),
         (A_RECORD, "USGS DEM"),
     ],
 )

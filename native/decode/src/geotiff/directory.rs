@@ -176,15 +176,15 @@ impl Directory {
 
     fn read_entries(&mut self, source: &Source, place: u64) -> Result<(), DecodeError> {
         let (count_size, entry_size) = if self.is_big { (8, 20) } else { (2, 12) };
-        let count = self.whole(&source.bytes("directory", place, count_size)?);
+        let count = self.whole(&source.bytes("TIFF directory", place, count_size)?);
         if count == 0 || count > MOST_ENTRIES {
             return Err(DecodeError::wrong(
-                "directory",
+                "TIFF directory",
                 format!("{count} entries"),
                 format!("from 1 to {MOST_ENTRIES}"),
             ));
         }
-        let bytes = source.bytes("directory", place + count_size, count * entry_size)?;
+        let bytes = source.bytes("TIFF directory", place + count_size, count * entry_size)?;
         let entries = bytes.chunks_exact(entry_size as usize).map(|bytes| {
             let (count, value) = bytes[4..].split_at(if self.is_big { 8 } else { 4 });
             let mut field = [0; 8];
