@@ -26,7 +26,7 @@ FUZZERS = {
     "text": (*DECODE, "--example", "fuzz_text", "--"),
 }
 
-TALLY = re.compile(r"([\d,]+) cases, ([\d,]+) findings")
+TALLY = re.compile(r"([\d,]+) cases.*?([\d,]+) findings")
 
 
 def fuzz_all(seconds: float) -> dict[str, float | str]:
