@@ -5,12 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from proxygraph import Grid, GridError, GridLayout, Progress
+from proxygraph import DecodeError, Grid, GridError, GridLayout, Progress
 
 from .decoders import DECODERS
 from .decoding import Decoding
 from .format_error import FormatError
 from .georeference import Georeference
+from .native_refusal import native_refusal
 from .region import Region
 
 
@@ -74,6 +75,10 @@ class ElevationGrid:
             if self.decoding is None:
                 return Grid.open(self.data_path, self.layout)
             return DECODERS[self.decoding.kind](self.data_path, self.layout, self.decoding, progress)
+        except DecodeError as error:
+            raise native_refusal(
+                self.data_path, error, "The file has changed since: import the grid again."
+            ) from error
         except (GridError, OSError) as error:
             raise FormatError(
                 self.data_path,

@@ -251,6 +251,8 @@ class UsgsDem:
     ) -> Grid:
         """Decode a region of the layout's size (without the GIL) into memory, or into a new file ``cache``.
 
+        Columns that run on beyond the last one go on with the first: meant for grids of a whole planet.
+
         Raises:
             DecodeError: the layout has another sample type, the region is not on the grid, or the file changed.
             CancelledError: ``progress`` was asked to end. OSError: the system refused.

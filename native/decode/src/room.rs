@@ -13,14 +13,15 @@ pub fn room(layout: GridLayout, cache: Option<&Path>) -> Result<Target, DecodeEr
     }
 }
 
-/// Refuses a region that the file does not have.
+/// Refuses a region that the file does not have. Columns may run on beyond the last one, which only grids
+/// of a whole planet are asked for: column 0 follows there.
 pub fn check_region(
     layout: &GridLayout,
     (first_column, first_row): (u32, u32),
     (columns, rows): (u32, u32),
 ) -> Result<(), DecodeError> {
-    let fits = |first: u32, count: u32, all: u32| u64::from(first) + u64::from(count) <= all.into();
-    if fits(first_column, layout.columns(), columns) && fits(first_row, layout.rows(), rows) {
+    let fits_down = u64::from(first_row) + u64::from(layout.rows()) <= rows.into();
+    if fits_down && first_column < columns && layout.columns() <= columns {
         return Ok(());
     }
     let found = format!(
@@ -29,4 +30,11 @@ pub fn check_region(
         layout.rows()
     );
     Err(DecodeError::wrong("region", found, format!("a region of {columns} x {rows} samples")))
+}
+
+/// The column of a region that begins at `first`, for one of the file's `all` columns; it may lie beyond
+/// the region.
+#[inline]
+pub fn column_in_region(column: u32, first: u32, all: u32) -> u32 {
+    if column >= first { column - first } else { column + (all - first) }
 }

@@ -14,7 +14,7 @@ pub use stored::Stored;
 use crate::error::DecodeError;
 use crate::pen::Pen;
 use crate::progress::Progress;
-use crate::room::{check_region, room};
+use crate::room::{check_region, column_in_region, room};
 use crate::source::Source;
 use header::no_number;
 use std::path::Path;
@@ -108,8 +108,7 @@ impl EsriAscii {
             let samples = target.row(row - first_row);
             for column in 0..header.columns {
                 let height = height(&mut words, header, column, row)?;
-                // What lies west of the region wraps around to far beyond it.
-                let index = column.wrapping_sub(first_column);
+                let index = column_in_region(column, first_column, header.columns);
                 if index >= layout.columns() {
                     continue;
                 }

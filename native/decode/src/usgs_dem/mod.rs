@@ -17,7 +17,7 @@ pub use stored::Stored;
 use crate::error::DecodeError;
 use crate::pen::Pen;
 use crate::progress::Progress;
-use crate::room::{check_region, room};
+use crate::room::{check_region, column_in_region, room};
 use crate::source::Source;
 use crate::window::Window;
 use profile::{Head, Wrong, first_profile, heights};
@@ -153,8 +153,9 @@ impl UsgsDem {
         let all = self.profiles.len() as u64;
         for (index, profile) in self.profiles.iter().enumerate() {
             progress.step(index as u64, all)?;
-            let column = i64::from(self.spread.column(&profile.head)) - i64::from(first_column);
-            if !(0..i64::from(layout.columns())).contains(&column) {
+            let column = self.spread.column(&profile.head);
+            let column = column_in_region(column, first_column, self.columns());
+            if column >= layout.columns() {
                 continue;
             }
             let southernmost = i64::from(self.spread.row(&profile.head)) - i64::from(first_row);
