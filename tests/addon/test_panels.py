@@ -62,6 +62,15 @@ def label(tmp_path: Path) -> Path:
     return MegdrPair(rough(40, 60)).write(tmp_path)
 
 
+def dialog_of(notes: Notes, *paths: Path, **choices: Any) -> SimpleNamespace:
+    """Stand in for the import operator."""
+    defaults = {"vertex_budget": 250_000, "scale": "FIT", "exaggeration": 0.0, "region": "WHOLE"}
+    defaults |= {"fill_voids": False, "placed": False}
+    files = [SimpleNamespace(name=path.name) for path in paths]
+    where = {"filepath": str(paths[0]), "directory": str(paths[0].parent), "files": files}
+    return SimpleNamespace(layout=notes, **where, **(defaults | choices))
+
+
 def test_without_terrain_the_panel_offers_to_import() -> None:
     assert drawn("HAPTIC_TERRAIN_PT_terrain").operators == ["haptic_terrain.import_grid"]
     assert drawn("HAPTIC_TERRAIN_PT_touch").operators == ["haptic_terrain.touch_start"]
@@ -129,10 +138,8 @@ def test_the_panel_starts_and_stops_takes(label: Path) -> None:
 
 def test_the_import_dialog_counts_before_anything_is_imported(label: Path) -> None:
     notes = Notes()
-    dialog = SimpleNamespace(
-        layout=notes, filepath=str(label), vertex_budget=250_000, scale="FIT", exaggeration=0.0
-    )
+    dialog = dialog_of(notes, label)
     module("ui.import_operator").HAPTIC_TERRAIN_OT_import_grid.draw(dialog, bpy.context)
-    assert notes.properties == ["vertex_budget", "scale", "exaggeration"]
+    assert notes.properties == ["vertex_budget", "scale", "exaggeration", "region"]
     assert "2,400 vertices to see" in notes.labels
     assert len(bpy.data.objects) == 0
