@@ -28,8 +28,19 @@ def heights_ramp(body: str, heights: npt.NDArray[Any]) -> Ramp:
         heights: metres, NaN where void.
     """
     shown = heights[np.isfinite(heights)]
-    low, high = (float(height) for height in np.percentile(shown, COLOURED)) if shown.size else (0.0, 1.0)
-    return Ramp(ELEVATION, low, high, _colours(body, low, high))
+    if not shown.size:
+        return Ramp(ELEVATION, 0.0, 1.0, NEUTRAL)
+    low, high = (float(height) for height in np.percentile(shown, COLOURED))
+    match body.casefold():
+        case "mars":
+            return Ramp(ELEVATION, low, high, MARS)
+        case "earth":
+            # However little there is of sea, or of land beside the sea, it has its colour.
+            low = low if low < 0.0 else min(low, float(shown.min()))
+            high = high if high > 0.0 else max(high, float(shown.max()))
+            return Ramp(ELEVATION, low, high, _earth_colours(low, high))
+        case _:
+            return Ramp(ELEVATION, low, high, NEUTRAL)
 
 
 def slopes_ramp(slopes: npt.NDArray[Any]) -> Ramp:
@@ -38,23 +49,13 @@ def slopes_ramp(slopes: npt.NDArray[Any]) -> Ramp:
     return Ramp(SLOPE, 0.0, next((end for end in STEEPEST if end >= steep), STEEPEST[-1]), SLOPES)
 
 
-def _colours(body: str, low: float, high: float) -> Colours:
-    match body.casefold():
-        case "mars":
-            return MARS
-        case "earth":
-            return _earth_colours(low, high)
-        case _:
-            return NEUTRAL
-
-
 def _earth_colours(low: float, high: float) -> Colours:
     """Blue below elevation 0, and there only."""
-    if low >= 0.0 or low >= high:
-        return EARTH_LAND if high >= 0.0 else EARTH_SEA
-    shore = min(1.0, -low / (high - low))
-    if high <= 0.0:
+    if low >= 0.0:
+        return EARTH_LAND
+    if high < 0.0 or low == high:
         return EARTH_SEA
+    shore = -low / (high - low)
     beach = max(0.0, shore - SHORE)
     sea = tuple((share * beach, colour) for share, colour in EARTH_SEA)
     land = tuple((shore + share * (1.0 - shore), colour) for share, colour in EARTH_LAND)

@@ -93,7 +93,7 @@ def _extremes_lines(path: Path, options: ImportOptions, grid: ElevationGrid) -> 
 
 
 def _voids(count: int) -> str:
-    return f"{count:,} voids" if count else "no voids"
+    return {0: "no voids", 1: "1 void"}.get(count, f"{count:,} voids")
 
 
 def _grid(path: Path, options: ImportOptions) -> ElevationGrid:
