@@ -31,6 +31,14 @@ def look_at(context: bpy.types.Context, place: Vector) -> None:
         area.tag_redraw()
 
 
+def show_materials(context: bpy.types.Context) -> None:
+    """Let 3D views in plain grey shading show what materials make of heights; other shadings stay."""
+    for _window, area in views(context):
+        shading = area.spaces.active.shading
+        if shading.type == "SOLID":
+            shading.type = "MATERIAL"
+
+
 def frame_selected(context: bpy.types.Context, size: float) -> None:
     """Make the selected object fill the 3D views, with clip distances that show all of it.
 

@@ -45,7 +45,7 @@ def described(path: Path, options: ImportOptions) -> list[str]:
         grid.title,
         grid.format,
         f"{layout.columns:,} x {layout.rows:,} = {grid.samples:,} samples to touch",
-        f"Cells of {layout.cell_width:,.4g} x {layout.cell_height:,.4g} m",
+        f"Cells of {in_metres(layout.cell_width)} x {in_metres(layout.cell_height)} m",
         *_extremes_lines(path, options, grid),
         f"Memory: {memory(grid)}",
         f"{shown.vertices:,} vertices to see",
@@ -79,6 +79,11 @@ def in_bytes(size: int) -> str:
         if size >= bytes_:
             return f"{size / bytes_:,.1f} {unit}"
     return f"{size} bytes"
+
+
+def in_metres(length: float) -> str:
+    """A cell's side for people."""
+    return f"{length:,.0f}" if length >= 1000.0 else f"{length:.4g}"
 
 
 def _extremes_lines(path: Path, options: ImportOptions, grid: ElevationGrid) -> list[str]:

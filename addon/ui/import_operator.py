@@ -12,7 +12,7 @@ from ..formats import SUFFIXES
 from ..terrain.import_job import Imported, ImportJob
 from ..terrain.kept import recall
 from ..terrain.progress import progress
-from ..terrain.view import frame_selected
+from ..terrain.view import frame_selected, show_materials
 from ..touch.live import live
 from .import_choices import ImportChoices, chosen_options, draw_choices
 from .import_description import described, is_unplaced
@@ -78,7 +78,7 @@ class HAPTIC_TERRAIN_OT_import_grid(bpy.types.Operator, ImportHelper, ImportChoi
         paths = chosen_paths(self)
         first, options = paths[0], chosen_options(self)
         draw_choices(self, layout, unplaced=is_unplaced(first, options))
-        box = layout.box()
+        box = layout.box().column(align=True)
         if len(paths) > 1:
             box.label(text=f"{len(paths)} files; the first is")
         for line in described(first, options):
@@ -181,10 +181,11 @@ def draw_menu(self: Any, context: bpy.types.Context) -> None:
 
 
 def _frame(context: bpy.types.Context, imported: Imported) -> None:
-    """Show all that was imported."""
+    """Show all that was imported, in its colours."""
     shown = [terrain for terrain in imported.terrains if len(terrain.data.vertices)]
     if not shown:
         return
+    show_materials(context)
     context.view_layer.update()
     for terrain in shown:
         if context.view_layer.objects.get(terrain.name) is not None:

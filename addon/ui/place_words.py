@@ -37,12 +37,13 @@ def georeference_lines(georeference: Georeference) -> list[Line]:
     """What the numbers of a grid mean."""
     ellipsoid = georeference.ellipsoid
     shape = (
-        f"sphere of {ellipsoid.semi_major:,.0f} m"
+        f"sphere, {ellipsoid.semi_major:,.0f} m"
         if ellipsoid.is_sphere
-        else f"{ellipsoid.semi_major:,.0f} x {ellipsoid.semi_minor:,.0f} m"
+        else f"{ellipsoid.semi_major:,.0f}, {ellipsoid.semi_minor:,.0f} m"
     )
     lines = [
-        ("Body", f"{georeference.body or 'not stated'}, {shape}"),
+        ("Body", georeference.body or "not stated"),
+        ("Semi-axes", shape),
         ("Projection", georeference.projection.name),
         ("Latitudes", georeference.latitude_kind),
         ("Elevation 0", georeference.vertical_reference or "not stated"),

@@ -103,7 +103,7 @@ def test_what_no_file_is_to_blame_for_is_raised_by_finish(
 class Window:
     """What the operator needs of Blender's window manager, workspace and window."""
 
-    def __init__(self) -> None:
+    def __init__(self, windows: tuple[object, ...] = ()) -> None:
         self.status: list[str | None] = []
         self.timers = 0
         self.handlers: list[Any] = []
@@ -114,7 +114,7 @@ class Window:
             progress_begin=lambda *_span: None,
             progress_update=lambda _share: None,
             progress_end=lambda: None,
-            windows=[],
+            windows=windows,
         )
         self.context = SimpleNamespace(
             window_manager=manager,
@@ -217,3 +217,14 @@ def test_a_person_sees_errors_as_errors(tmp_path: Path) -> None:
     operator.invoke(window.context, None)
     assert run_until_done(operator, window.context) == {"CANCELLED"}
     assert [kind for kind, _text in operator.reports] == [{"ERROR"}]
+
+
+@pytest.mark.parametrize(("before", "after"), [("SOLID", "MATERIAL"), ("WIREFRAME", "WIREFRAME")])
+def test_a_plain_view_shows_the_colours_of_what_was_imported(before: str, after: str) -> None:
+    shading = SimpleNamespace(type=before)
+    area = SimpleNamespace(
+        type="VIEW_3D", spaces=SimpleNamespace(active=SimpleNamespace(shading=shading)), regions=[]
+    )
+    window = Window((SimpleNamespace(screen=SimpleNamespace(areas=[area])),))
+    module("terrain.view").show_materials(window.context)
+    assert shading.type == after
