@@ -2,11 +2,23 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import bpy
 
+from .formats.cache import cache
 from .terrain import saving
 from .touch import timer
-from .ui import import_operator, panel, record_operators, settings, touch_operators
+from .ui import (
+    import_operator,
+    panel,
+    place_operators,
+    profile_operators,
+    record_operators,
+    settings,
+    touch_operators,
+)
+from .ui.panels import colours, georeference, profile
 
 CLASSES: tuple[type, ...] = (
     settings.HapticTerrainSettings,
@@ -17,7 +29,16 @@ CLASSES: tuple[type, ...] = (
     touch_operators.HAPTIC_TERRAIN_OT_touch_stop,
     record_operators.HAPTIC_TERRAIN_OT_record_start,
     record_operators.HAPTIC_TERRAIN_OT_record_stop,
+    place_operators.HAPTIC_TERRAIN_OT_go_to,
+    place_operators.HAPTIC_TERRAIN_OT_show_curvature,
+    place_operators.HAPTIC_TERRAIN_OT_colour_by,
+    profile_operators.HAPTIC_TERRAIN_OT_mark,
+    profile_operators.HAPTIC_TERRAIN_OT_add_profile,
+    profile_operators.HAPTIC_TERRAIN_OT_export_profile,
     panel.HAPTIC_TERRAIN_PT_terrain,
+    georeference.HAPTIC_TERRAIN_PT_georeference,
+    colours.HAPTIC_TERRAIN_PT_colours,
+    profile.HAPTIC_TERRAIN_PT_profile,
     panel.HAPTIC_TERRAIN_PT_touch,
     panel.HAPTIC_TERRAIN_PT_safety,
     panel.HAPTIC_TERRAIN_PT_record,
@@ -30,6 +51,8 @@ def register() -> None:
         bpy.utils.register_class(cls)
     bpy.types.Scene.haptic_terrain = bpy.props.PointerProperty(type=settings.HapticTerrainSettings)
     bpy.types.TOPBAR_MT_file_import.append(import_operator.draw_menu)  # type: ignore[arg-type]
+    # Extensions write nowhere else.
+    cache.folder = Path(bpy.utils.extension_path_user(__package__, path="cache"))
     saving.register()
     timer.register()
 

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from proxygraph import DecodeError, Grid, GridError, GridLayout, Progress
 
+from .cache import cached_file
 from .decoders import DECODERS
 from .decoding import Decoding
 from .format_error import FormatError
@@ -74,6 +75,9 @@ class ElevationGrid:
         try:
             if self.decoding is None:
                 return Grid.open(self.data_path, self.layout)
+            decoded = cached_file(self.data_path, self.layout, self.decoding)
+            if decoded is not None:
+                return Grid.open(decoded, self.layout)
             return DECODERS[self.decoding.kind](self.data_path, self.layout, self.decoding, progress)
         except DecodeError as error:
             raise native_refusal(

@@ -8,8 +8,9 @@ import bpy
 import numpy as np
 
 from ..terrain.frame import map_size
-from ..terrain.material import Colour, Ramp, ramp_material
+from ..terrain.material import Ramp, ramp_material
 from ..terrain.mesh import triangle_mesh
+from ..terrain.palettes import Colour
 from ..terrain.progress import Tell
 from ..touch.live import Recording
 from ..touch.placement import Placement

@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, TypeVar
 
 from proxygraph import GridLayout
 
+from .bend import Bend
+
 if TYPE_CHECKING:
     import numpy as np
     import numpy.typing as npt
@@ -37,22 +39,31 @@ class TerrainFrame:
     """Of heights."""
     turn: float | None
     """Metres once around the planet; ``None`` on a map with edges."""
+    bend: Bend | None = None
+    """The sphere that the map is shown on; ``None`` shows it flat."""
 
     def to_object(self, east: Metres, north: Metres, up: Metres) -> tuple[Metres, Metres, Metres]:
         """Object coordinates of a terrain place; east runs on beyond the map and is brought back."""
+        return self.shown(self.on_map(east), north, up)
+
+    def shown(self, east: Metres, north: Metres, up: Metres) -> tuple[Metres, Metres, Metres]:
+        """Object coordinates of a terrain place on the map, from its western to its eastern edge."""
+        if self.bend is not None:
+            x, y, z = self.bend.bent(east - self.east, north - self.north, (up - self.up) * self.exaggeration)
+            return x * self.units_per_metre, y * self.units_per_metre, z * self.units_per_metre
         return (
-            (self.on_map(east) - self.east) * self.units_per_metre,
+            (east - self.east) * self.units_per_metre,
             (north - self.north) * self.units_per_metre,
             (up - self.up) * self.units_per_metre * self.exaggeration,
         )
 
     def to_terrain(self, x: float, y: float, z: float) -> Point:
         """Terrain metres of a place in object coordinates."""
-        return (
-            self.east + x / self.units_per_metre,
-            self.north + y / self.units_per_metre,
-            self.up + z / (self.units_per_metre * self.exaggeration),
-        )
+        east, north = x / self.units_per_metre, y / self.units_per_metre
+        up = z / self.units_per_metre
+        if self.bend is not None:
+            east, north, up = self.bend.flat(east, north, up)
+        return self.east + east, self.north + north, self.up + up / self.exaggeration
 
     def on_map(self, east: Metres) -> Metres:
         """Terrain metres east, brought back onto a map that wraps."""

@@ -6,8 +6,10 @@ ID properties keep doubles, where Blender's own float properties have 32 bits; b
 
 from __future__ import annotations
 
+import json
 import os
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
@@ -18,10 +20,15 @@ from ..formats import ElevationGrid
 from ..formats.decoding import Decoding
 from ..formats.georeference_properties import finite, georeference_from, georeference_properties, restored
 from ..formats.layout_properties import layout_from, layout_properties
+from ..formats.source_stamp import SourceStamp
+from .bend import Bend
 from .frame import TerrainFrame
 
 KEY = "haptic_terrain_grid"
 """Of the ID property group on a terrain object."""
+
+FRAME = "frame"
+"""How the grid is shown."""
 
 SOURCE, SOURCE_BESIDE = "source", "source_beside"
 """Where the data file is: its whole path, and (once there is one) its path from the .blend file's folder."""
@@ -41,6 +48,10 @@ class KeptTerrain:
     minimum: float
     maximum: float
     """Metres, of the whole grid."""
+    filled: bool = False
+    """Whether voids were filled, for eye and hand."""
+    stamp: SourceStamp | None = None
+    """Of the data file when it was imported."""
 
 
 def keep(terrain: bpy.types.Object, kept: KeptTerrain) -> None:
@@ -55,11 +66,14 @@ def keep(terrain: bpy.types.Object, kept: KeptTerrain) -> None:
         "notes": "\n".join(grid.notes),
         "layout": layout_properties(grid.layout),
         "georeference": georeference_properties(grid.georeference),
-        **({} if grid.decoding is None else {"decoding": asdict(grid.decoding)}),
-        "frame": {name: value for name, value in asdict(kept.frame).items() if value is not None},
+        # As text: what decoders need to know may be nested, and may have large numbers.
+        **({} if grid.decoding is None else {"decoding": json.dumps(asdict(grid.decoding))}),
+        FRAME: _frame_properties(kept.frame),
         "vertex_budget": kept.vertex_budget,
         "minimum": kept.minimum,
         "maximum": kept.maximum,
+        "filled": kept.filled,
+        **({} if kept.stamp is None else {"stamp": json.dumps(asdict(kept.stamp))}),
     }
 
 
@@ -74,8 +88,29 @@ def recall(terrain: bpy.types.Object) -> KeptTerrain:
     Raises:
         KeptError: its ID properties were changed.
     """
-    try:
+    with _changes_told(terrain):
         return _recall(terrain, terrain[KEY])
+
+
+def recall_frame(terrain: bpy.types.Object) -> TerrainFrame:
+    """Read only how the grid is shown, which is quick.
+
+    Raises:
+        KeptError: its ID properties were changed.
+    """
+    with _changes_told(terrain):
+        return _frame(terrain[KEY])
+
+
+def keep_frame(terrain: bpy.types.Object, frame: TerrainFrame) -> None:
+    """Show the grid in another way from now on."""
+    terrain[KEY][FRAME] = _frame_properties(frame)
+
+
+@contextmanager
+def _changes_told(terrain: bpy.types.Object) -> Iterator[None]:
+    try:
+        yield
     except (KeyError, TypeError, ValueError, AttributeError, OverflowError) as error:
         raise KeptError(
             f"{terrain.name} does not remember its grid any more: its custom property {KEY} was changed "
@@ -98,7 +133,7 @@ def remember_places(blend: Path) -> None:
 
 
 def _recall(terrain: bpy.types.Object, kept: Mapping[str, Any]) -> KeptTerrain:
-    decoding = kept.get("decoding")
+    decoding, stamp = kept.get("decoding"), kept.get("stamp")
     grid = ElevationGrid(
         path=Path(kept["path"]),
         data_path=_data_path(terrain, kept),
@@ -107,15 +142,44 @@ def _recall(terrain: bpy.types.Object, kept: Mapping[str, Any]) -> KeptTerrain:
         title=str(kept["title"]),
         format=str(kept["format"]),
         synthetic=bool(kept["synthetic"]),
-        decoding=None if decoding is None else Decoding(**decoding.to_dict()),
+        decoding=None if decoding is None else Decoding(**json.loads(decoding)),
         notes=tuple(str(kept["notes"]).splitlines()),
     )
-    frame = restored(TerrainFrame, {"turn": None, **kept["frame"].to_dict()})
+    return KeptTerrain(
+        grid,
+        _frame(kept),
+        int(kept["vertex_budget"]),
+        finite(kept["minimum"]),
+        finite(kept["maximum"]),
+        filled=bool(kept.get("filled", False)),
+        stamp=None if stamp is None else SourceStamp(**json.loads(stamp)),
+    )
+
+
+def _frame(kept: Mapping[str, Any]) -> TerrainFrame:
+    properties = {"turn": None, "bend": None, **kept[FRAME].to_dict()}
+    if properties["bend"] is not None:
+        bend = {"latitude": None, "parallel": None, **properties["bend"]}
+        properties["bend"] = restored(Bend, bend)
+        if properties["bend"].radius <= 0.0:
+            raise ValueError("a radius is not above 0")
+    frame = restored(TerrainFrame, properties)
     if not (frame.units_per_metre > 0.0 and frame.exaggeration > 0.0):
         raise ValueError("a scale is not above 0")
-    return KeptTerrain(
-        grid, frame, int(kept["vertex_budget"]), finite(kept["minimum"]), finite(kept["maximum"])
-    )
+    return frame
+
+
+def _frame_properties(frame: TerrainFrame) -> dict[str, Any]:
+    return _without_none(asdict(frame))
+
+
+def _without_none(properties: Mapping[str, Any]) -> dict[str, Any]:
+    """ID properties have no way to say nothing."""
+    return {
+        name: _without_none(value) if isinstance(value, dict) else value
+        for name, value in properties.items()
+        if value is not None
+    }
 
 
 def _data_path(terrain: bpy.types.Object, kept: Mapping[str, Any]) -> Path:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import numpy.typing as npt
@@ -35,6 +35,8 @@ class PreviewSurface:
     layout: GridLayout
     heights: npt.NDArray[np.float64]
     """Metres, rows x columns, NaN where void."""
+    filled: npt.NDArray[np.bool_] | None = None
+    """Whether a height was filled in, rows x columns; ``None`` where nothing was."""
 
     def height_at(self, east: float, north: float) -> float | None:
         """Metres of the shown surface at a place on the map; ``None`` in a hole or off the map."""
@@ -66,6 +68,12 @@ def preview_surface(grid: Grid, cells: PreviewCells) -> PreviewSurface:
     """Read the shown samples."""
     heights = np.asarray(grid.elevations(cells.columns, cells.rows), dtype=np.float64)
     return PreviewSurface(cells, grid.layout, heights.reshape(len(cells.rows), len(cells.columns)))
+
+
+def with_filled(surface: PreviewSurface, raw: Grid) -> PreviewSurface:
+    """Mark the heights that a grid did not have before its voids were filled."""
+    before = preview_surface(raw, surface.cells).heights
+    return replace(surface, filled=np.isnan(before) & np.isfinite(surface.heights))
 
 
 def preview_triangles(heights: npt.NDArray[np.float64]) -> npt.NDArray[np.int32]:

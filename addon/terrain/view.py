@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import bpy
+from mathutils import Vector
 
 
 def views(context: bpy.types.Context) -> Iterator[tuple[bpy.types.Window, bpy.types.Area]]:
@@ -19,6 +20,23 @@ def redraw(context: bpy.types.Context) -> None:
     """Ask the 3D views, and nothing else, to draw themselves again."""
     for _window, area in views(context):
         area.tag_redraw()
+
+
+def look_at(context: bpy.types.Context, place: Vector) -> None:
+    """Move the 3D views so that they turn around a place (scene coordinates)."""
+    for _window, area in views(context):
+        view = area.spaces.active.region_3d
+        if view is not None:
+            view.view_location = place
+        area.tag_redraw()
+
+
+def show_materials(context: bpy.types.Context) -> None:
+    """Let 3D views in plain grey shading show what materials make of heights; other shadings stay."""
+    for _window, area in views(context):
+        shading = area.spaces.active.shading
+        if shading.type == "SOLID":
+            shading.type = "MATERIAL"
 
 
 def frame_selected(context: bpy.types.Context, size: float) -> None:

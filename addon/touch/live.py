@@ -1,4 +1,4 @@
-"""The one thing that outlives a call: the session that runs now, and the take that is being recorded."""
+"""What outlives a call: the session that runs now, the take that is being recorded, grids that stay open."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from proxygraph import Grid, Session
 
 from ..formats import Georeference
 from ..terrain.frame import TerrainFrame
+from ..terrain.opened import OpenedGrids
 from ..terrain.preview import PreviewSurface
 from .handle import Handle
 from .placement import Placement
@@ -109,6 +110,8 @@ class Live:
     """Why touch ended by itself, or does not do what was chosen; empty where all is well."""
     rendering: bool = False
     """Nothing is written to the scene while it is rendered."""
+    opened: OpenedGrids = field(default_factory=OpenedGrids)
+    """What was decoded for an import, so that touch need not do it again; until another file is loaded."""
 
 
 live = Live()

@@ -58,6 +58,14 @@ class Placement:
             axes @= Matrix.Diagonal((-1.0, 1.0, 1.0))
         return axes.to_quaternion()
 
+    def upright(self, east: float, north: float) -> Quaternion:
+        """How something is turned that stands upright at a terrain place."""
+        if self.frame.bend is None:
+            return self.rotation
+        ground = Vector(self.frame.to_object(east, north, self.frame.up))
+        above = Vector(self.frame.to_object(east, north, self.frame.up + self.frame.bend.radius))
+        return self.rotation @ Vector((0.0, 0.0, 1.0)).rotation_difference(above - ground)
+
     def longest_side(self, layout: GridLayout) -> float:
         """Of the map, Blender units in the scene."""
         return max(map_size(layout)) * self.frame.units_per_metre * abs(self.matrix.to_scale().x)

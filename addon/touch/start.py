@@ -90,7 +90,7 @@ def _touch(
     """
     scene = _open_scene(context)
     kept = recall(terrain)
-    grid = kept.grid.open()
+    grid = live.opened.open(kept)
     context.view_layer.update()
     placement = Placement.of(terrain, kept.frame)
     if not placement.is_usable:
@@ -159,7 +159,7 @@ def chosen_terrain(context: bpy.types.Context) -> bpy.types.Object:
     terrains = [thing for thing in context.scene.objects if is_terrain(thing)]
     if not terrains:
         raise TouchError(
-            "There is no terrain to touch: import a grid with File > Import > Planetary Terrain."
+            "There is no terrain to touch: import a grid with File > Import > Elevation terrain."
         )
     if len(terrains) > 1:
         raise TouchError(f"Select the terrain to touch: there are {len(terrains)}.")

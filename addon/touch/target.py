@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 import bpy
+from mathutils import Matrix, Vector
 from proxygraph import Grid, GridLayout, Window
 
 from ..terrain.frame import Point, nearest_on_map
@@ -42,6 +43,13 @@ def add_target(context: bpy.types.Context, placement: Placement, window: Window)
     context.scene.collection.objects.link(target)
     context.view_layer.update()
     return target
+
+
+def move_target(scene: bpy.types.Scene, place: Vector) -> None:
+    """Bring the Empty to a place in the scene, where there is one."""
+    target = target_object(scene)
+    if target is not None:
+        target.matrix_world = Matrix.Translation(place[:]) @ target.matrix_world.to_3x3().to_4x4()
 
 
 def clearance(window: Window) -> float:

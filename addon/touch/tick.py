@@ -13,6 +13,7 @@ from mathutils import Vector
 from proxygraph import SessionError, State, Window
 
 from ..terrain.frame import is_on_map, place_in_grid
+from ..terrain.kept import KeptError, recall_frame
 from ..terrain.view import redraw
 from .control import keep_control
 from .cursor import SIZE, cursor_object, show_cursor
@@ -40,6 +41,8 @@ def tick() -> None:
     if terrain is None or scene is None:
         stop_touch("Touch stopped: the terrain is gone from the scene.")
         return
+    with suppress(KeptError):  # what was changed by hand is told when touch starts again
+        touch.frame = recall_frame(terrain)
     placement = Placement.of(terrain, touch.frame)
     if not placement.is_usable:
         stop_touch(f"Touch stopped: {UNUSABLE}")
@@ -89,7 +92,8 @@ def _show(touch: Touch, scene: bpy.types.Scene, placement: Placement, state: Sta
     height = touch.surface.height_at(touch.frame.on_map(east), north)
     place: Vector = placement.to_scene(east, north, lifted(up, height))
     size = SIZE * placement.longest_side(touch.grid.layout)
-    show_cursor(cursor_object(scene), place, placement.rotation, size, in_contact=state.in_contact)
+    turn = placement.upright(east, north)
+    show_cursor(cursor_object(scene), place, turn, size, in_contact=state.in_contact)
 
 
 def _readout(touch: Touch, state: State) -> Readout:

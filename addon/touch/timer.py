@@ -37,6 +37,7 @@ def unregister() -> None:
     live.recording = None
     live.message = ""
     live.rendering = False
+    live.opened.clear()
     for handlers, handler in reversed(_handlers()):
         if handler in handlers:
             handlers.remove(handler)
@@ -64,6 +65,7 @@ def _before_load(*_arguments: object) -> None:
     """The scene is about to go, and with it what a take would be written to."""
     if live.touch is None:
         live.message = ""  # it was about the file before
+    live.opened.clear()
     recording, live.recording = live.recording, None
     lost = f" The take of {recording.recorder.seconds:.1f} s was not kept." if recording is not None else ""
     stop_touch(f"Touch stopped: another file was loaded.{lost}")

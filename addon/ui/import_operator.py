@@ -1,74 +1,71 @@
-"""File > Import > Planetary Terrain."""
+"""File > Import > Elevation terrain, drops on the 3D view, and imports from scripts: one road."""
 
 from __future__ import annotations
 
-from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
 import bpy
 from bpy_extras.io_utils import ImportHelper
 
-from ..formats import SUFFIXES, ElevationGrid, FormatError, read_grid
-from ..formats.partner_file import is_file
-from ..terrain.import_terrain import ImportOptions, SceneScale, import_terrain
+from ..formats import SUFFIXES
+from ..terrain.import_job import Imported, ImportJob
 from ..terrain.kept import recall
-from ..terrain.preview import VERTEX_BUDGET, preview_cells
-from ..terrain.view import frame_selected
+from ..terrain.progress import progress
+from ..terrain.view import frame_selected, show_materials
+from ..touch.live import live
+from .import_choices import ImportChoices, chosen_options, draw_choices
+from .import_description import described, is_unplaced
 from .operator_status import OperatorStatus
-from .wrapped import wrapped
 
-DIALOG_LETTERS = 48
-"""That a line of the dialog holds."""
+LABEL = "Elevation terrain"
+"""Where Blender offers a choice between its own image import and this one, too."""
+
+POLL_SECONDS = 0.1
+"""Between two looks at an import that runs."""
 
 
-class HAPTIC_TERRAIN_OT_import_grid(bpy.types.Operator, ImportHelper):
-    """Import an elevation grid as a terrain that can be touched"""
+class HAPTIC_TERRAIN_OT_import_grid(bpy.types.Operator, ImportHelper, ImportChoices):
+    """Import elevation grids as terrains that can be touched"""
 
     bl_idname = "haptic_terrain.import_grid"
-    bl_label = "Import Planetary Terrain"
+    bl_label = "Import Elevation Terrain"
     bl_options = {"REGISTER", "UNDO"}  # noqa: RUF012
 
-    # Kept from one call to the next, it would be taken for a dropped file.
+    # Kept from one call to the next, they would be taken for dropped files.
     filepath: bpy.props.StringProperty(
         name="File",
-        description="Label (.lbl) or data file (.img)",
+        description="An elevation grid, or its label or header",
         subtype="FILE_PATH",
         options={"SKIP_SAVE"},
+    )
+    directory: bpy.props.StringProperty(subtype="DIR_PATH", options={"SKIP_SAVE", "HIDDEN"})
+    files: bpy.props.CollectionProperty(
+        type=bpy.types.OperatorFileListElement, options={"SKIP_SAVE", "HIDDEN"}
     )
     filter_glob: bpy.props.StringProperty(
         default=";".join(f"*{suffix}" for suffix in SUFFIXES), options={"HIDDEN"}
     )
-    vertex_budget: bpy.props.IntProperty(
-        name="Vertices",
-        description="How many samples to show at the most; touch always has all of them",
-        default=VERTEX_BUDGET,
-        min=4,
-        soft_min=1_000,
-        soft_max=10_000_000,
+    answered: bpy.props.BoolProperty(
+        description="A person has chosen already: import now, with progress, and let them cancel",
+        default=False,
+        options={"SKIP_SAVE", "HIDDEN"},
     )
-    scale: bpy.props.EnumProperty(
-        name="Scale",
-        items=[
-            (SceneScale.FIT, "Fit", "The longest side is 10 units"),
-            (SceneScale.KILOMETRE, "1 unit = 1 km", "One Blender unit is one kilometre"),
-            (SceneScale.METRE, "1 unit = 1 m", "One Blender unit is one metre"),
-        ],
-    )
-    exaggeration: bpy.props.FloatProperty(
-        name="Heights x (0 = auto)",
-        description="Exaggeration of heights, for eye and hand; 0 chooses a round one that shows the relief",
-        default=0.0,
-        min=0.0,
-        max=10_000.0,
-    )
+
+    _asking = False
+    """Whether a dialog or the file browser is open, whose answer will be ``execute``."""
+    _job: ImportJob | None = None
+    _timer: bpy.types.Timer | None = None
 
     def invoke(  # type: ignore[override]  # the two base classes do not agree
         self, context: bpy.types.Context, event: bpy.types.Event
     ) -> OperatorStatus:
-        """Ask for a file, or only for the options when one was dropped."""
-        if self.filepath:
-            context.window_manager.invoke_props_dialog(self, confirm_text="Import")
+        """Ask for files, or only for the options when some were dropped; then import."""
+        if self.answered:
+            return self._begin(context)
+        self._asking = True
+        if self.filepath or self.files:
+            context.window_manager.invoke_props_dialog(self, width=400, confirm_text="Import")
         else:
             ImportHelper.invoke(self, context, event)
         return {"RUNNING_MODAL"}
@@ -78,36 +75,89 @@ class HAPTIC_TERRAIN_OT_import_grid(bpy.types.Operator, ImportHelper):
         layout = self.layout
         layout.use_property_split = True
         layout.use_property_decorate = False
-        for name in ("vertex_budget", "scale", "exaggeration"):
-            layout.prop(self, name)
-        box = layout.box()
-        for line in preview_lines(Path(bpy.path.abspath(self.filepath)), self.vertex_budget):
+        paths = chosen_paths(self)
+        first, options = paths[0], chosen_options(self)
+        draw_choices(self, layout, unplaced=is_unplaced(first, options))
+        box = layout.box().column(align=True)
+        if len(paths) > 1:
+            box.label(text=f"{len(paths)} files; the first is")
+        for line in described(first, options):
             box.label(text=line)
 
     def execute(self, context: bpy.types.Context) -> OperatorStatus:
-        """Import the file."""
-        options = ImportOptions(self.vertex_budget, SceneScale(self.scale), self.exaggeration)
-        try:
-            terrain = import_terrain(context, Path(bpy.path.abspath(self.filepath)), options)
-        except FormatError as error:
-            self.report({"ERROR"}, str(error))
+        """Import: at once for scripts; for a person who was asked, in steps that can be cancelled."""
+        if self._asking and not bpy.app.background:
+            choices = self.as_keywords(ignore=("files", "filter_glob", "answered"))
+            files = [{"name": file.name} for file in self.files]
+            bpy.ops.haptic_terrain.import_grid("INVOKE_DEFAULT", **choices, files=files, answered=True)
+            return {"CANCELLED"}  # the other call finishes, and is what can be undone
+        job = ImportJob(chosen_paths(self), chosen_options(self))
+        with progress(context) as tell:
+            job.run(tell)
+        return self._end(context, job)
+
+    def modal(self, context: bpy.types.Context, event: bpy.types.Event) -> OperatorStatus:
+        """Look how far the import is; Esc cancels it, all else goes on as ever."""
+        job = self._job
+        if job is None:
             return {"CANCELLED"}
-        kept = recall(terrain)
-        if len(terrain.data.vertices):
-            frame_selected(context, max(terrain.dimensions[:]))
-        self.report(
-            {"INFO"},
-            f"{kept.grid.title}: {kept.grid.samples:,} samples to touch, "
-            f"{len(terrain.data.vertices):,} shown, heights x{kept.frame.exaggeration:g}",
-        )
-        return {"FINISHED"}
+        if event.type == "ESC" and event.value == "PRESS":
+            job.cancel()
+            return {"RUNNING_MODAL"}
+        if event.type != "TIMER":
+            return {"PASS_THROUGH"}
+        if not job.poll():
+            _show(context, job)
+            return {"PASS_THROUGH"}
+        self._clear(context)
+        return self._end(context, job)
+
+    def cancel(self, context: bpy.types.Context) -> None:
+        """Blender takes the import away: another file is loaded, or the window is closed."""
+        if self._job is not None:
+            self._job.cancel()
+            self._clear(context)
+
+    def _begin(self, context: bpy.types.Context) -> OperatorStatus:
+        self._job = ImportJob(chosen_paths(self), chosen_options(self))
+        manager = context.window_manager
+        self._timer = manager.event_timer_add(POLL_SECONDS, window=context.window)
+        manager.progress_begin(0.0, 1.0)
+        manager.modal_handler_add(self)
+        self._job.start()
+        return {"RUNNING_MODAL"}
+
+    def _clear(self, context: bpy.types.Context) -> None:
+        """Take the timer and the display back."""
+        manager = context.window_manager
+        if self._timer is not None:
+            manager.event_timer_remove(self._timer)
+        manager.progress_end()
+        if context.workspace is not None:
+            context.workspace.status_text_set(None)
+        self._job = self._timer = None
+
+    def _end(self, context: bpy.types.Context, job: ImportJob) -> OperatorStatus:
+        """Put the terrains into the scene, and tell what came of it."""
+        if job.cancelled:
+            self.report({"INFO"}, "Import cancelled: nothing was added")
+            return {"CANCELLED"}
+        imported = job.finish(context, live.opened)
+        _frame(context, imported)
+        for terrain in imported.terrains:
+            self.report({"INFO"}, _summary(terrain))
+        # An error ends a script; where something was imported, what was not is a warning there.
+        kind = "WARNING" if imported.terrains and not self.answered else "ERROR"
+        for failure in imported.failures:
+            self.report({kind}, str(failure))  # type: ignore[arg-type]
+        return {"FINISHED"} if imported.terrains else {"CANCELLED"}
 
 
 class HAPTIC_TERRAIN_FH_grid(bpy.types.FileHandler):
     """Files that can be dropped into a 3D view."""
 
     bl_idname = "HAPTIC_TERRAIN_FH_grid"
-    bl_label = "Planetary Terrain"
+    bl_label = LABEL
     bl_import_operator = HAPTIC_TERRAIN_OT_import_grid.bl_idname
     bl_file_extensions = ";".join(SUFFIXES)
 
@@ -117,41 +167,42 @@ class HAPTIC_TERRAIN_FH_grid(bpy.types.FileHandler):
         return context is None or context.area is None or context.area.type in {"VIEW_3D", "OUTLINER"}
 
 
-def preview_lines(path: Path, vertex_budget: int) -> list[str]:
-    """Describe a file from its label alone: what it has, and how much of it would be shown."""
-    if not is_file(path):
-        return ["Choose a label (.lbl) or a data file (.img)"]
-    grid = _cached_grid(path, _ages(path))
-    if isinstance(grid, FormatError):
-        return wrapped(str(grid), DIALOG_LETTERS)
-    shown = preview_cells(grid.layout, vertex_budget)
-    return [
-        grid.title,
-        f"{grid.layout.columns:,} x {grid.layout.rows:,} = {grid.samples:,} samples to touch",
-        f"{shown.vertices:,} vertices to see",
-    ]
+def chosen_paths(operator: Any) -> list[Path]:
+    """The files that an operator's ``directory`` and ``files``, or else its ``filepath``, name."""
+    names = [file.name for file in operator.files if file.name]
+    if operator.directory and names:
+        return [Path(bpy.path.abspath(operator.directory)) / name for name in names]
+    return [Path(bpy.path.abspath(operator.filepath))]
 
 
 def draw_menu(self: Any, context: bpy.types.Context) -> None:
     """Add the entry to File > Import."""
-    self.layout.operator(HAPTIC_TERRAIN_OT_import_grid.bl_idname, text="Planetary Terrain (.lbl, .img)")
+    self.layout.operator(HAPTIC_TERRAIN_OT_import_grid.bl_idname, text=LABEL)
 
 
-@lru_cache(maxsize=1)
-def _cached_grid(path: Path, _ages: tuple[int, ...]) -> ElevationGrid | FormatError:
-    """Remember the last label, also one that is refused: the file browser asks each time it is drawn."""
-    try:
-        return read_grid(path)
-    except FormatError as error:
-        return error
+def _frame(context: bpy.types.Context, imported: Imported) -> None:
+    """Show all that was imported, in its colours."""
+    shown = [terrain for terrain in imported.terrains if len(terrain.data.vertices)]
+    if not shown:
+        return
+    show_materials(context)
+    context.view_layer.update()
+    for terrain in shown:
+        if context.view_layer.objects.get(terrain.name) is not None:
+            terrain.select_set(True)
+    frame_selected(context, sum(max(terrain.dimensions[:]) for terrain in shown))
 
 
-def _ages(path: Path) -> tuple[int, ...]:
-    """When the file, its partner and their folder were changed: what was refused may have been mended."""
-    ages = []
-    for place in (path, path.with_suffix(".lbl"), path.with_suffix(".img"), path.parent):
-        try:
-            ages.append(place.stat().st_mtime_ns)
-        except OSError:
-            ages.append(0)
-    return tuple(ages)
+def _show(context: bpy.types.Context, job: ImportJob) -> None:
+    context.window_manager.progress_update(job.share)
+    if context.workspace is not None:
+        ending = "ending ..." if job.cancelled else "Esc cancels"
+        context.workspace.status_text_set(f"{job.step}: {job.share:.0%} ({ending})")
+
+
+def _summary(terrain: bpy.types.Object) -> str:
+    kept = recall(terrain)
+    return (
+        f"{kept.grid.title}: {kept.grid.samples:,} samples to touch, "
+        f"{len(terrain.data.vertices):,} shown, heights x{kept.frame.exaggeration:g}"
+    )

@@ -5,19 +5,15 @@ from __future__ import annotations
 import bpy
 
 from ..terrain.kept import KeptError, recall
-from ..touch.error import TouchError
 from ..touch.live import Readout, live
 from ..touch.model import SPHERE, WALK
 from ..touch.placement import Placement
-from ..touch.start import chosen_terrain
+from .chosen import shown_terrain
 from .import_operator import HAPTIC_TERRAIN_OT_import_grid
+from .place_words import place_lines
 from .record_operators import HAPTIC_TERRAIN_OT_record_start, HAPTIC_TERRAIN_OT_record_stop
+from .sidebar import TAB, draw_lines, draw_message, draw_text
 from .touch_operators import HAPTIC_TERRAIN_OT_touch_start, HAPTIC_TERRAIN_OT_touch_stop
-from .wrapped import wrapped
-
-TAB = "Haptic Terrain"
-"""In the sidebar of the 3D view."""
-
 
 HELD = {
     "host": "Blender was busy",
@@ -28,9 +24,6 @@ HELD = {
     "below": "Hand is under the ground",
 }
 """Why the force is away, short enough for a line; the panel *Safety* has the sentences."""
-
-SIDEBAR_LETTERS = 32
-"""That a line of the sidebar holds at its usual width."""
 
 
 class HAPTIC_TERRAIN_PT_terrain(bpy.types.Panel):
@@ -50,7 +43,7 @@ class HAPTIC_TERRAIN_PT_terrain(bpy.types.Panel):
         try:
             kept = recall(terrain)
         except KeptError as error:
-            _draw_message(self.layout, str(error))
+            draw_message(self.layout, str(error))
             return
         exaggeration = Placement.of(terrain, kept.frame).exaggeration
         column = self.layout.column(align=True)
@@ -75,7 +68,7 @@ class HAPTIC_TERRAIN_PT_touch(bpy.types.Panel):
         layout.use_property_split = True
         layout.use_property_decorate = False
         if live.message:
-            _draw_message(layout, live.message)
+            draw_message(layout, live.message)
         if live.touch is None:
             layout.prop(context.scene.haptic_terrain, "device")
             layout.prop(context.scene.haptic_terrain, "window_width", text="Width in km (0 = all)")
@@ -87,13 +80,11 @@ class HAPTIC_TERRAIN_PT_touch(bpy.types.Panel):
         layout.operator(HAPTIC_TERRAIN_OT_touch_stop.bl_idname, icon="SNAP_FACE")
         _draw_model(layout, live.touch.scene.find())
         if live.touch.target is not None and live.touch.target.find() is None:
-            _draw_message(layout, "The Touch Target is gone: stop touch and start it again.")
+            draw_message(layout, "The Touch Target is gone: stop touch and start it again.")
         if live.touch.readout is not None:
             exaggeration = live.touch.session.window.exaggeration
-            for name, value in readout_lines(live.touch.readout, exaggeration):
-                row = layout.split(factor=0.4)
-                row.label(text=name)
-                row.label(text=value)
+            in_degrees = live.touch.georeference.projection.in_degrees
+            draw_lines(layout, readout_lines(live.touch.readout, exaggeration, in_degrees=in_degrees))
 
 
 class HAPTIC_TERRAIN_PT_safety(bpy.types.Panel):
@@ -119,9 +110,7 @@ class HAPTIC_TERRAIN_PT_safety(bpy.types.Panel):
         if scene is not None:
             self.layout.prop(scene.haptic_terrain, "passivity_control")
         for warning in live.touch.readout.warnings or ("Nothing held the force back so far.",):
-            column = self.layout.column(align=True)
-            for line in wrapped(warning, SIDEBAR_LETTERS):
-                column.label(text=line)
+            draw_text(self.layout, warning)
 
 
 class HAPTIC_TERRAIN_PT_record(bpy.types.Panel):
@@ -145,17 +134,7 @@ class HAPTIC_TERRAIN_PT_record(bpy.types.Panel):
         stop.trail = settings.trail
 
 
-def shown_terrain(context: bpy.types.Context) -> bpy.types.Object | None:
-    """Find the terrain to describe: the touched one, else the one that would be touched."""
-    if live.touch is not None:
-        return live.touch.terrain.find()
-    try:
-        return chosen_terrain(context)
-    except TouchError:
-        return None
-
-
-def readout_lines(readout: Readout, exaggeration: float) -> list[tuple[str, str]]:
+def readout_lines(readout: Readout, exaggeration: float, *, in_degrees: bool) -> list[tuple[str, str]]:
     """Put the newest tick into words."""
     lines = [
         ("Mode", readout.mode.title()),
@@ -166,7 +145,8 @@ def readout_lines(readout: Readout, exaggeration: float) -> list[tuple[str, str]
     if readout.held is not None:
         lines.insert(3, ("Held back", HELD[readout.held]))
     lines += servo_lines(readout)
-    lines[2:2] = _place_lines(readout, exaggeration) if readout.on_map else [("Place", "Beside the map")]
+    beside = [("Place", "Beside the map")]
+    lines[2:2] = place_lines(readout, exaggeration, in_degrees=in_degrees) if readout.on_map else beside
     return lines
 
 
@@ -182,20 +162,6 @@ def servo_lines(readout: Readout) -> list[tuple[str, str]]:
     return [*lines, ("", reason)] if reason else lines
 
 
-def _place_lines(readout: Readout, exaggeration: float) -> list[tuple[str, str]]:
-    elevation = "no data" if readout.elevation is None else f"{readout.elevation:,.0f} m (x{exaggeration:g})"
-    if readout.coordinates is None:
-        x, y = readout.own
-        return [("East", f"{x:,.0f} m"), ("North", f"{y:,.0f} m"), ("Elevation", elevation)]
-    longitude, latitude = readout.coordinates
-    north_or_south = "N" if latitude >= 0.0 else "S"
-    return [
-        ("Longitude", f"{longitude:.3f}\N{DEGREE SIGN} E"),
-        ("Latitude", f"{abs(latitude):.3f}\N{DEGREE SIGN} {north_or_south}"),
-        ("Elevation", elevation),
-    ]
-
-
 def _draw_model(layout: bpy.types.UILayout | None, scene: bpy.types.Scene | None) -> None:
     """Offer the contact models, and the knob of the chosen one."""
     if layout is None or scene is None:
@@ -206,11 +172,3 @@ def _draw_model(layout: bpy.types.UILayout | None, scene: bpy.types.Scene | None
         layout.prop(settings, "sub_step")
     elif settings.contact_model == SPHERE:
         layout.prop(settings, "radius", text="Radius in mm")
-
-
-def _draw_message(layout: bpy.types.UILayout | None, message: str) -> None:
-    """Show a long message on several lines."""
-    box = layout.box().column(align=True)
-    box.alert = True
-    for line in wrapped(message, SIDEBAR_LETTERS):
-        box.label(text=line)

@@ -21,6 +21,13 @@ def pair() -> MegdrPair:
     return MegdrPair(rough(9, 13))
 
 
+def described(path: Path, vertex_budget: int) -> list[str]:
+    """What the dialog says of a file."""
+    options = module("terrain.options").ImportOptions(vertex_budget=vertex_budget)
+    lines: list[str] = module("ui.import_description").described(path, options)
+    return lines
+
+
 def test_every_vertex_of_a_small_grid_is_a_sample(pair: MegdrPair, tmp_path: Path) -> None:
     terrain = import_grid(pair.write(tmp_path))
     kept = module("terrain.kept").recall(terrain)
@@ -67,43 +74,43 @@ def test_the_preview_keeps_its_budget_and_shows_samples_only(
 
 def test_the_count_shown_before_import_is_the_count_after(pair: MegdrPair, tmp_path: Path) -> None:
     label = pair.write(tmp_path)
-    lines = module("ui.import_operator").preview_lines(label, 60)
+    lines = described(label, 60)
     terrain = import_grid(label, vertex_budget=60)
     assert any(line.startswith(f"{len(terrain.data.vertices):,} vertices") for line in lines)
 
 
 def test_the_dialog_says_what_is_wrong_with_a_file(pair: MegdrPair, tmp_path: Path) -> None:
-    lines = module("ui.import_operator").preview_lines(replace(pair, image={"LINES": 1}).write(tmp_path), 60)
+    lines = described(replace(pair, image={"LINES": 1}).write(tmp_path), 60)
     assert "LINES" in lines[0]
 
 
 @pytest.mark.parametrize("name", ['"../G.IMG"', '"."', f'"{"G" * 300}"', '("G.IMG", 1e400 <BYTES>)'])
 def test_the_dialog_explains_hostile_names(pair: MegdrPair, tmp_path: Path, name: str) -> None:
     label = replace(pair, header={"^IMAGE": name}).write(tmp_path)
-    assert "^IMAGE" in " ".join(module("ui.import_operator").preview_lines(label, 60))
+    assert "^IMAGE" in " ".join(described(label, 60))
 
 
 def test_the_dialog_stands_a_name_that_no_system_takes(tmp_path: Path) -> None:
-    assert "Choose" in module("ui.import_operator").preview_lines(tmp_path / f"{'g' * 300}.lbl", 60)[0]
+    assert "Choose" in described(tmp_path / f"{'g' * 300}.lbl", 60)[0]
 
 
 def test_the_dialog_reads_a_refused_label_once_and_again_when_it_is_mended(
     pair: MegdrPair, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    dialog, reads = module("ui.import_operator"), []
+    header, reads = module("terrain.prepare"), []
 
     def noted(path: Path) -> object:
         reads.append(path)
         return module("formats").read_grid(path)
 
-    monkeypatch.setattr(dialog, "read_grid", noted)
+    monkeypatch.setattr(header, "read_grid", noted)
     label = replace(pair, image={"LINES": 1}).write(tmp_path)
     for _ in range(3):
-        assert "LINES" in " ".join(dialog.preview_lines(label.with_suffix(".img"), 60))
+        assert "LINES" in " ".join(described(label.with_suffix(".img"), 60))
     assert len(reads) == 1
     label.unlink()
     pair.write(tmp_path)
-    assert "Mars grid" in dialog.preview_lines(label.with_suffix(".img"), 60)
+    assert "Mars grid" in described(label.with_suffix(".img"), 60)
 
 
 def test_a_planet_closes(tmp_path: Path) -> None:
@@ -157,7 +164,8 @@ def test_a_grid_whose_shown_samples_are_all_void_can_be_touched(tmp_path: Path) 
 
 
 @pytest.mark.parametrize(
-    "step", ["terrain.mesh._positions", "terrain.import_terrain.ramp_material", "terrain.import_terrain.keep"]
+    "step",
+    ["terrain.mesh.shown_positions", "terrain.add_terrain.terrain_material", "terrain.add_terrain.keep"],
 )
 def test_an_import_that_fails_half_way_leaves_nothing(
     pair: MegdrPair, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, step: str
@@ -414,7 +422,7 @@ def test_bad_input_is_explained_and_leaves_nothing(
 def test_a_dropped_file_is_imported(pair: MegdrPair, tmp_path: Path) -> None:
     label = pair.write(tmp_path)
     handlers = [cls for cls in bpy.types.FileHandler.__subclasses__() if cls.__name__.startswith("HAPTIC")]
-    assert handlers[-1].bl_file_extensions.startswith(".lbl;.img;")
+    assert handlers[-1].bl_file_extensions == ";".join(module("formats").SUFFIXES)
     assert handlers[-1].bl_import_operator == "haptic_terrain.import_grid"
     bpy.ops.wm.drop_import_file(directory=str(label.parent), files=[{"name": label.name}])
     assert any(module("terrain.kept").is_terrain(thing) for thing in bpy.data.objects)

@@ -10,6 +10,7 @@ from typing import Any
 import bpy
 import pytest
 
+from tests.addon.decoded import decode_everything
 from tests.addon.hands import sweep
 from tests.addon.scene import import_grid, module
 from tests.formats.megdr_pair import MegdrPair, rough
@@ -22,15 +23,24 @@ class Notes:
         self.labels: list[str] = []
         self.operators: list[str] = []
         self.properties: list[str] = []
+        self.buttons: list[SimpleNamespace] = []
 
     def label(self, *, text: str, icon: str = "NONE") -> None:
         """Note a text."""
         self.labels.append(text)
 
-    def operator(self, name: str, *, icon: str = "NONE", text: str = "") -> SimpleNamespace:
+    def operator(
+        self, name: str, *, icon: str = "NONE", text: str = "", depress: bool = False
+    ) -> SimpleNamespace:
         """Note a button."""
         self.operators.append(name)
-        return SimpleNamespace()
+        button = SimpleNamespace(idname=name, pressed=depress)
+        self.buttons.append(button)
+        return button
+
+    def row(self, *, align: bool = False) -> Notes:
+        """Go on with the same notes."""
+        return self
 
     def prop(self, owner: Any, name: str, *, text: str = "") -> None:
         """Note a property, which must exist."""
@@ -50,16 +60,25 @@ class Notes:
         return self
 
 
-def drawn(panel: str) -> Notes:
+def drawn(panel: str, place: str = "ui.panel") -> Notes:
     """Draw one panel."""
     notes = Notes()
-    getattr(module("ui.panel"), panel).draw(SimpleNamespace(layout=notes), bpy.context)
+    getattr(module(place), panel).draw(SimpleNamespace(layout=notes), bpy.context)
     return notes
 
 
 @pytest.fixture
 def label(tmp_path: Path) -> Path:
     return MegdrPair(rough(40, 60)).write(tmp_path)
+
+
+def dialog_of(notes: Notes, *paths: Path, **choices: Any) -> SimpleNamespace:
+    """Stand in for the import operator."""
+    defaults = {"vertex_budget": 250_000, "scale": "FIT", "exaggeration": 0.0, "region": "WHOLE"}
+    defaults |= {"fill_voids": False, "placed": False}
+    files = [SimpleNamespace(name=path.name) for path in paths]
+    where = {"filepath": str(paths[0]), "directory": str(paths[0].parent), "files": files}
+    return SimpleNamespace(layout=notes, **where, **(defaults | choices))
 
 
 def test_without_terrain_the_panel_offers_to_import() -> None:
@@ -129,10 +148,129 @@ def test_the_panel_starts_and_stops_takes(label: Path) -> None:
 
 def test_the_import_dialog_counts_before_anything_is_imported(label: Path) -> None:
     notes = Notes()
-    dialog = SimpleNamespace(
-        layout=notes, filepath=str(label), vertex_budget=250_000, scale="FIT", exaggeration=0.0
-    )
+    dialog = dialog_of(notes, label)
     module("ui.import_operator").HAPTIC_TERRAIN_OT_import_grid.draw(dialog, bpy.context)
-    assert notes.properties == ["vertex_budget", "scale", "exaggeration"]
+    assert notes.properties[:4] == ["vertex_budget", "scale", "exaggeration", "region"]
     assert "2,400 vertices to see" in notes.labels
     assert len(bpy.data.objects) == 0
+
+
+def of_chosen(label: Path, *others: Path, **choices: Any) -> Notes:
+    """Draw the import dialog for files."""
+    notes = Notes()
+    dialog = dialog_of(notes, label, *others, **choices)
+    module("ui.import_operator").HAPTIC_TERRAIN_OT_import_grid.draw(dialog, bpy.context)
+    return notes
+
+
+def test_the_import_dialog_says_what_the_file_is(label: Path) -> None:
+    text = " | ".join(of_chosen(label).labels)
+    for words in (
+        "Mars grid",
+        "MOLA (PDS3)",
+        "60 x 40 = 2,400 samples",
+        "m | -2,000 to 2,000 m, no voids",
+        "Memory: in place, nothing copied",
+    ):
+        assert words in text
+    cell = module("formats").read_grid(label).layout.cell_width
+    assert f"Cells of {cell:,.0f} x " in text
+
+
+def test_the_import_dialog_counts_voids_and_the_chosen_region(tmp_path: Path) -> None:
+    heights = rough(40, 60)
+    heights[1][1] = heights[30][30] = -32768
+    label = MegdrPair(heights, image={"MISSING_CONSTANT": -32768}).write(tmp_path)
+    assert any("2 voids" in line for line in of_chosen(label).labels)
+    choice = {"first_column": 0, "first_row": 0, "columns": 10, "rows": 8}
+    notes = of_chosen(label, region="SAMPLES", **choice)
+    assert "10 x 8 = 80 samples to touch" in notes.labels
+    assert any("1 void" in line for line in notes.labels)
+    assert notes.properties[4:8] == ["first_column", "first_row", "columns", "rows"]
+
+
+def test_the_import_dialog_explains_a_region_that_is_not_there(label: Path) -> None:
+    choice = {"west": 100.0, "east": 110.0, "south": 0.0, "north": 5.0}
+    assert "region: found 100 to 110 E" in " ".join(of_chosen(label, region="DEGREES", **choice).labels)
+
+
+def test_the_import_dialog_says_how_many_files_there_are(label: Path) -> None:
+    assert "2 files; the first is" in of_chosen(label, label.with_suffix(".img")).labels
+
+
+def test_the_import_dialog_says_what_decoding_needs(label: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    description, caching = module("ui.import_description"), module("formats.cache").cache
+    decode_everything(monkeypatch)
+    description._cached_grid.cache_clear()
+    assert "Memory: 4.8 kB decoded" in of_chosen(label).labels
+    assert "Range and voids: known when it is read" in of_chosen(label).labels
+    monkeypatch.setattr(caching, "most_in_memory", 100)
+    assert "Memory: 4.8 kB in a cache file" in of_chosen(label).labels
+    description._cached_grid.cache_clear()
+
+
+def test_the_import_dialog_shows_what_the_reader_noticed(
+    label: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    description, header = module("ui.import_description"), module("terrain.prepare")
+    grid = replace(module("formats").read_grid(label), notes=("The last profile is missing.",))
+    monkeypatch.setattr(header, "read_grid", lambda _path: grid)
+    description._cached_grid.cache_clear()
+    assert "The last profile is missing." in of_chosen(label).labels
+    import_grid(label)
+    notes = drawn("HAPTIC_TERRAIN_PT_georeference", "ui.panels.georeference")
+    assert "The last profile is missing." in notes.labels
+    description._cached_grid.cache_clear()
+
+
+def test_the_georeference_is_stated(label: Path) -> None:
+    import_grid(label)
+    notes = drawn("HAPTIC_TERRAIN_PT_georeference", "ui.panels.georeference")
+    for words in ("Mars", "sphere, 3,396,000 m", "longitude and latitude", "planetocentric", "areoid"):
+        assert words in notes.labels
+    assert notes.operators == ["haptic_terrain.go_to", "haptic_terrain.show_curvature"]
+    assert notes.buttons[1].curved
+    bpy.ops.haptic_terrain.show_curvature()
+    button = drawn("HAPTIC_TERRAIN_PT_georeference", "ui.panels.georeference").buttons[1]
+    assert (button.curved, button.pressed) == (False, True)
+
+
+def test_the_colours_have_a_legend(label: Path) -> None:
+    terrain = import_grid(label)
+    assert module("ui.panels.colours").HAPTIC_TERRAIN_PT_colours.poll(bpy.context)
+    notes = drawn("HAPTIC_TERRAIN_PT_colours", "ui.panels.colours")
+    assert notes.properties == ["color"] * len(module("terrain.palettes").MARS)
+    assert [line for line in notes.labels if not line.endswith(" m")] == []
+    assert [button.pressed for button in notes.buttons] == [True, False]
+    bpy.ops.haptic_terrain.colour_by(what="SLOPE")
+    labels = drawn("HAPTIC_TERRAIN_PT_colours", "ui.panels.colours").labels
+    assert labels[-1] == "0.0\N{DEGREE SIGN}"
+    terrain.data.materials.clear()
+    assert not module("ui.panels.colours").HAPTIC_TERRAIN_PT_colours.poll(bpy.context)
+
+
+def test_the_profile_panel_shows_what_lies_between(label: Path) -> None:
+    import_grid(label)
+    place = "HAPTIC_TERRAIN_PT_profile", "ui.panels.profile"
+    assert drawn(*place).operators == ["haptic_terrain.mark"] * 2
+    for mark, longitude in (("A", 25.5), ("B", 40.5)):
+        bpy.ops.haptic_terrain.go_to(longitude=longitude, latitude=5.5)
+        bpy.ops.haptic_terrain.mark(which=mark)
+    notes = drawn(*place)
+    for words in ("Distance", "A to B", "Slope", "Up, down", "Steepest"):
+        assert words in notes.labels
+    assert notes.operators[2:] == ["haptic_terrain.add_profile", "haptic_terrain.export_profile"]
+
+
+def test_a_projected_map_shows_its_own_metres_beside_longitude_and_latitude(label: Path) -> None:
+    import_grid(label)
+    touch = module("touch.start").start_touch(bpy.context, device=sweep(), on_the_clock=False)
+    touch.session.step(500)
+    module("touch.tick").tick()
+    words = module("ui.place_words").place_lines
+    readout = replace(touch.readout, own=(500_123.4, -1_234_567.8), coordinates=(12.5, -3.25))
+    lines = dict(words(readout, 2.0, in_degrees=False))
+    assert (lines["East"], lines["North"]) == ("500,123 m", "-1,234,568 m")
+    assert lines["Latitude"] == "3.2500\N{DEGREE SIGN} S"
+    assert "East" not in dict(words(readout, 2.0, in_degrees=True))
+    assert "Longitude" not in dict(words(replace(readout, coordinates=None), 2.0, in_degrees=False))

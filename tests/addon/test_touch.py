@@ -180,7 +180,7 @@ def test_the_readout_tells_where_the_hand_is(terrain: bpy.types.Object) -> None:
     assert readout.elevation == pytest.approx(state.proxy[2], abs=1e-3)
     assert readout.in_contact
     assert readout.force > 0.0
-    lines = dict(module("ui.panel").readout_lines(readout, 50.0))
+    lines = dict(module("ui.panel").readout_lines(readout, 50.0, in_degrees=True))
     assert lines["Mode"] == "Normal"
     assert lines["Contact"] == "Touching"
     assert lines["Elevation"].endswith("m (x50)")
@@ -193,7 +193,7 @@ def test_a_hand_beside_the_map_has_no_longitude(terrain: bpy.types.Object) -> No
     touch = start(device=beside)
     step(touch, 10)
     assert not touch.readout.on_map
-    lines = dict(module("ui.panel").readout_lines(touch.readout, 50.0))
+    lines = dict(module("ui.panel").readout_lines(touch.readout, 50.0, in_degrees=True))
     assert lines["Place"] == "Beside the map"
     assert not {"Longitude", "Latitude", "Elevation"} & set(lines)
 

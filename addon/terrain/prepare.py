@@ -1,0 +1,106 @@
+"""From a grid file to everything that its terrain object shows, in any thread: Blender is not touched."""
+
+from __future__ import annotations
+
+import inspect
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+from proxygraph import Grid
+
+from .. import formats
+from ..formats import ElevationGrid, FormatError, read_grid
+from ..formats.source_stamp import SourceStamp
+from .chosen_region import cut_grid
+from .filling import CAN_FILL, filled_grid
+from .frame import TerrainFrame, fitting_scale, rounded_exaggeration, terrain_frame
+from .kept import KeptTerrain
+from .options import ImportOptions, SceneScale
+from .preview import PreviewSurface, preview_cells, preview_surface, with_filled
+from .slope import slopes
+from .work import Work
+
+CAN_POSITION = "position" in inspect.signature(read_grid).parameters
+"""Whether SRTM squares can be told where they lie."""
+
+
+@dataclass(frozen=True)
+class Prepared:
+    """A terrain object in the making."""
+
+    kept: KeptTerrain
+    samples: Grid
+    surface: PreviewSurface
+    slopes: npt.NDArray[np.float64]
+    """Degrees at the shown samples, rows x columns."""
+
+
+def read_header(path: Path, options: ImportOptions) -> ElevationGrid:
+    """What a file describes, as far as it is wanted.
+
+    Raises:
+        FormatError: the file cannot be used, or has no such region.
+    """
+    place = options.position
+    if place is None or not CAN_POSITION:
+        return cut_grid(read_grid(path), options.region)
+    position = formats.HgtPosition(latitude=place[0], longitude=place[1])
+    read: Any = read_grid
+    return cut_grid(read(path, position), options.region)
+
+
+def prepare(path: Path, options: ImportOptions, work: Work) -> Prepared:
+    """Read, decode, fill, measure and choose what is shown.
+
+    Raises:
+        FormatError: the file cannot be used.
+        CancelledError: the work was asked to end.
+    """
+    work.begin("Reading the header", until=0.05)
+    grid = read_header(path.absolute(), options)
+    stamp = _stamp(grid)
+    raw = grid.open(work.begin("Decoding" if grid.decoding else "Opening", until=0.5))
+    filled = options.fill_voids and CAN_FILL
+    samples = filled_grid(raw, work.begin("Filling voids", until=0.7)) if filled else raw
+    work.begin("Measuring", until=0.8)
+    extent = samples.range()
+    if extent is None:
+        raise FormatError(
+            grid.data_path,
+            "samples",
+            found="no data in any of them",
+            expected="at least one elevation",
+            way_out="Check the value that the header has for missing data (MISSING_CONSTANT, NODATA), or "
+            "choose another grid or region.",
+        )
+    work.begin("Choosing what to show", until=1.0)
+    frame = _frame(grid, extent.minimum, extent.maximum, options)
+    surface = preview_surface(samples, preview_cells(grid.layout, options.vertex_budget))
+    if filled:
+        surface = with_filled(surface, raw)
+    kept = KeptTerrain(
+        grid, frame, options.vertex_budget, extent.minimum, extent.maximum, filled=filled, stamp=stamp
+    )
+    return Prepared(kept, samples, surface, slopes(samples, surface))
+
+
+def _stamp(grid: ElevationGrid) -> SourceStamp | None:
+    try:
+        return SourceStamp.of(grid.data_path)
+    except OSError:
+        return None  # opening it says what is wrong
+
+
+def _frame(grid: ElevationGrid, minimum: float, maximum: float, options: ImportOptions) -> TerrainFrame:
+    units_per_metre = {
+        SceneScale.FIT: fitting_scale(grid.layout),
+        SceneScale.METRE: 1.0,
+        SceneScale.KILOMETRE: 0.001,
+    }[options.scale]
+    exaggeration = options.exaggeration or rounded_exaggeration(grid.layout, minimum, maximum)
+    return terrain_frame(
+        grid.layout, minimum, maximum, units_per_metre=units_per_metre, exaggeration=exaggeration
+    )

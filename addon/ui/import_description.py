@@ -1,0 +1,156 @@
+"""What is known of a file before it is imported, in words."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from pathlib import Path
+
+from ..formats import SUFFIXES, ElevationGrid, FormatError
+from ..formats.cache import cache
+from ..formats.partner_file import is_file
+from ..terrain.chosen_region import ChosenRegion
+from ..terrain.options import ImportOptions
+from ..terrain.prepare import read_header
+from ..terrain.preview import preview_cells
+from .wrapped import wrapped
+
+DIALOG_LETTERS = 48
+"""That a line of the dialog holds."""
+
+MOST_SCANNED = 4_000_000
+"""Samples that are looked through for their range while a dialog is drawn: some hundredths of a second."""
+
+
+@dataclass(frozen=True)
+class Extremes:
+    """What a scan of the samples found."""
+
+    minimum: float
+    maximum: float
+    voids: int
+
+
+def described(path: Path, options: ImportOptions) -> list[str]:
+    """Describe a file from its header, and by its samples where they are quickly looked through."""
+    if not is_file(path):
+        return ["Choose an elevation grid, or its label or header"]
+    try:
+        grid = _grid(path, options)
+    except FormatError as error:
+        return wrapped(str(error), DIALOG_LETTERS)
+    layout = grid.layout
+    shown = preview_cells(layout, options.vertex_budget)
+    lines = [
+        grid.title,
+        grid.format,
+        f"{layout.columns:,} x {layout.rows:,} = {grid.samples:,} samples to touch",
+        f"Cells of {in_metres(layout.cell_width)} x {in_metres(layout.cell_height)} m",
+        *_extremes_lines(path, options, grid),
+        f"Memory: {memory(grid)}",
+        f"{shown.vertices:,} vertices to see",
+    ]
+    return lines + [line for note in grid.notes for line in wrapped(note, DIALOG_LETTERS)]
+
+
+def is_unplaced(path: Path, options: ImportOptions) -> bool:
+    """Whether a file is an SRTM square that does not say where it lies."""
+    if not is_file(path):
+        return False
+    try:
+        grid = _grid(path, replace(options, position=None, region=None))
+    except FormatError:
+        return False
+    return grid.format.startswith("SRTM") and bool(grid.notes)
+
+
+def memory(grid: ElevationGrid) -> str:
+    """What touch needs for the samples."""
+    if grid.decoding is None:
+        return "in place, nothing copied"
+    size = grid.layout.byte_length
+    where = "in a cache file" if size > cache.most_in_memory else "decoded"
+    return f"{in_bytes(size)} {where}"
+
+
+def in_bytes(size: int) -> str:
+    """A size for people."""
+    for unit, bytes_ in (("GB", 10**9), ("MB", 10**6), ("kB", 10**3)):
+        if size >= bytes_:
+            return f"{size / bytes_:,.1f} {unit}"
+    return f"{size} bytes"
+
+
+def in_metres(length: float) -> str:
+    """A cell's side for people."""
+    return f"{length:,.0f}" if length >= 1000.0 else f"{length:.4g}"
+
+
+def _extremes_lines(path: Path, options: ImportOptions, grid: ElevationGrid) -> list[str]:
+    if grid.decoding is not None or grid.samples > MOST_SCANNED:
+        return ["Range and voids: known when it is read"]
+    found = _cached_extremes(path, options.position, options.region, _ages(path))
+    if isinstance(found, FormatError):
+        return wrapped(str(found), DIALOG_LETTERS)
+    if found is None:
+        return ["No data in any sample"]
+    return [f"{found.minimum:,.0f} to {found.maximum:,.0f} m, {_voids(found.voids)}"]
+
+
+def _voids(count: int) -> str:
+    return {0: "no voids", 1: "1 void"}.get(count, f"{count:,} voids")
+
+
+def _grid(path: Path, options: ImportOptions) -> ElevationGrid:
+    """The part of the grid that is wanted, from its header.
+
+    Raises:
+        FormatError: the file cannot be used, or has no such part.
+    """
+    found = _cached_grid(path, options.position, options.region, _ages(path))
+    if isinstance(found, FormatError):
+        raise found
+    return found
+
+
+@lru_cache(maxsize=2)
+def _cached_grid(
+    path: Path,
+    position: tuple[float, float] | None,
+    region: ChosenRegion | None,
+    _ages: tuple[int, ...],
+) -> ElevationGrid | FormatError:
+    """Remember the last headers, also one that is refused: the file browser asks each time it is drawn."""
+    try:
+        return read_header(path, ImportOptions(position=position, region=region))
+    except FormatError as error:
+        return error
+
+
+@lru_cache(maxsize=2)
+def _cached_extremes(
+    path: Path,
+    position: tuple[float, float] | None,
+    region: ChosenRegion | None,
+    ages: tuple[int, ...],
+) -> Extremes | FormatError | None:
+    """Remember the last scans; ``None`` where there is no height at all."""
+    grid = _cached_grid(path, position, region, ages)
+    if isinstance(grid, FormatError):
+        return grid
+    try:
+        found = grid.open().range()
+    except FormatError as error:
+        return error
+    return None if found is None else Extremes(found.minimum, found.maximum, found.voids)
+
+
+def _ages(path: Path) -> tuple[int, ...]:
+    """When the file, its partners and their folder were changed: what was refused may have been mended."""
+    ages = []
+    for place in (path, path.parent, *(path.with_suffix(suffix) for suffix in SUFFIXES)):
+        try:
+            ages.append(place.stat().st_mtime_ns)
+        except OSError:
+            ages.append(0)
+    return tuple(ages)

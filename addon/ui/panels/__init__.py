@@ -1,0 +1,1 @@
+"""Sub-panels of the tab, one file for each topic."""
