@@ -12,10 +12,11 @@ from .datums import WGS84
 from .decoding import Decoding
 from .elevation_grid import ElevationGrid
 from .ellipsoid import Ellipsoid
+from .file_bytes import file_length, read_head
 from .format_error import FormatError
 from .georeference import Georeference
 from .map_frame import frame_of_text
-from .not_a_grid import kind_of_file
+from .not_a_grid import kind_of_file, without_header
 from .projections import Geographic, Projection, Unknown
 from .rasterio_library import SAMPLES, open_raster, rasterio_module
 from .refusal import first_line, refusal
@@ -44,6 +45,9 @@ MAGICS = (
     (b"PCRASTER", "PCRaster"),
 )
 """How formats begin that GDAL reads and that are known by name."""
+
+MAGIC_BYTES = 1024
+"""In which one of them is found, behind blanks."""
 
 MOST_BYTES = 4 << 30
 """Of samples that are brought into memory; a small packed file may stand for more than any machine has."""
@@ -79,6 +83,9 @@ def read_through_rasterio(path: Path) -> ElevationGrid:
     except FormatError:
         raise
     except Exception as error:  # rasterio raises many kinds, some of them its own
+        if format_name(read_head(path, MAGIC_BYTES)) is None:
+            # What nobody knows, rasterio included, may be data without its header.
+            raise without_header(path, file_length(path)) from error
         raise FormatError(
             path,
             "format",
