@@ -41,14 +41,16 @@ def described(path: Path, options: ImportOptions) -> list[str]:
         return wrapped(str(error), DIALOG_LETTERS)
     layout = grid.layout
     shown = preview_cells(layout, options.vertex_budget)
+    found = _extremes(path, options, grid)
+    all_shown = options.fill_voids or (isinstance(found, Extremes) and found.voids == 0)
     lines = [
         grid.title,
         grid.format,
         f"{layout.columns:,} x {layout.rows:,} = {grid.samples:,} samples to touch",
         f"Cells of {in_metres(layout.cell_width)} x {in_metres(layout.cell_height)} m",
-        *_extremes_lines(path, options, grid),
+        *_extremes_lines(found),
         f"Memory: {memory(grid)}",
-        f"{shown.vertices:,} vertices to see",
+        f"{shown.vertices:,} vertices to see{'' if all_shown else ' at the most'}",
     ]
     return lines + [line for note in grid.notes for line in wrapped(note, DIALOG_LETTERS)]
 
@@ -86,14 +88,19 @@ def in_metres(length: float) -> str:
     return f"{length:,.0f}" if length >= 1000.0 else f"{length:.4g}"
 
 
-def _extremes_lines(path: Path, options: ImportOptions, grid: ElevationGrid) -> list[str]:
+def _extremes(path: Path, options: ImportOptions, grid: ElevationGrid) -> Extremes | str:
+    """What a quick look at the samples finds, or in words why there is nothing to tell."""
     if grid.decoding is not None or grid.samples > MOST_SCANNED:
-        return ["Range and voids: known when it is read"]
+        return "Range and voids: known when it is read"
     found = _cached_extremes(path, options.position, options.region, _ages(path))
     if isinstance(found, FormatError):
-        return wrapped(str(found), DIALOG_LETTERS)
-    if found is None:
-        return ["No data in any sample"]
+        return str(found)
+    return "No data in any sample" if found is None else found
+
+
+def _extremes_lines(found: Extremes | str) -> list[str]:
+    if isinstance(found, str):
+        return wrapped(found, DIALOG_LETTERS)
     return [f"{found.minimum:,.0f} to {found.maximum:,.0f} m, {_voids(found.voids)}"]
 
 

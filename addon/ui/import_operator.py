@@ -19,7 +19,10 @@ from .import_description import described, is_unplaced
 from .operator_status import OperatorStatus
 
 LABEL = "Elevation terrain"
-"""Where Blender offers a choice between its own image import and this one, too."""
+"""Also of the operator: a drop that Blender takes for an image too gets a menu of operators."""
+
+TITLE = "Import Elevation Terrain"
+"""Of the dialog, and of buttons."""
 
 POLL_SECONDS = 0.1
 """Between two looks at an import that runs."""
@@ -29,7 +32,7 @@ class HAPTIC_TERRAIN_OT_import_grid(bpy.types.Operator, ImportHelper, ImportChoi
     """Import elevation grids as terrains that can be touched"""
 
     bl_idname = "haptic_terrain.import_grid"
-    bl_label = "Import Elevation Terrain"
+    bl_label = LABEL
     bl_options = {"REGISTER", "UNDO"}  # noqa: RUF012
 
     # Kept from one call to the next, they would be taken for dropped files.
@@ -65,7 +68,7 @@ class HAPTIC_TERRAIN_OT_import_grid(bpy.types.Operator, ImportHelper, ImportChoi
             return self._begin(context)
         self._asking = True
         if self.filepath or self.files:
-            context.window_manager.invoke_props_dialog(self, width=400, confirm_text="Import")
+            context.window_manager.invoke_props_dialog(self, width=400, title=TITLE, confirm_text="Import")
         else:
             ImportHelper.invoke(self, context, event)
         return {"RUNNING_MODAL"}

@@ -9,7 +9,7 @@ from ..touch.live import Readout, live
 from ..touch.model import SPHERE, WALK
 from ..touch.placement import Placement
 from .chosen import shown_terrain
-from .import_operator import HAPTIC_TERRAIN_OT_import_grid
+from .import_operator import TITLE, HAPTIC_TERRAIN_OT_import_grid
 from .place_words import place_lines
 from .record_operators import HAPTIC_TERRAIN_OT_record_start, HAPTIC_TERRAIN_OT_record_stop
 from .sidebar import TAB, draw_lines, draw_message, draw_text
@@ -38,7 +38,7 @@ class HAPTIC_TERRAIN_PT_terrain(bpy.types.Panel):
         """Name the grid, what is shown of it, and how."""
         terrain = shown_terrain(context)
         if terrain is None:
-            self.layout.operator(HAPTIC_TERRAIN_OT_import_grid.bl_idname, icon="IMPORT")
+            self.layout.operator(HAPTIC_TERRAIN_OT_import_grid.bl_idname, text=TITLE, icon="IMPORT")
             return
         try:
             kept = recall(terrain)

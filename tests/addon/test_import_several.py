@@ -77,6 +77,8 @@ def test_several_files_can_be_dropped(tmp_path: Path) -> None:
 def test_the_file_handler_is_named_for_what_it_reads() -> None:
     operator = module("ui.import_operator")
     assert operator.HAPTIC_TERRAIN_FH_grid.bl_label == "Elevation terrain"
+    # Where another handler takes the file too, a window offers the operators by their names.
+    assert operator.HAPTIC_TERRAIN_OT_import_grid.bl_label == "Elevation terrain"
     entries: list[str] = []
     layout = SimpleNamespace(operator=lambda _name, text: entries.append(text))
     operator.draw_menu(SimpleNamespace(layout=layout), bpy.context)

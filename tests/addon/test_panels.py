@@ -182,6 +182,8 @@ def test_the_import_dialog_counts_voids_and_the_chosen_region(tmp_path: Path) ->
     heights[1][1] = heights[30][30] = -32768
     label = MegdrPair(heights, image={"MISSING_CONSTANT": -32768}).write(tmp_path)
     assert any("2 voids" in line for line in of_chosen(label).labels)
+    assert "2,400 vertices to see at the most" in of_chosen(label).labels
+    assert "2,400 vertices to see" in of_chosen(label, fill_voids=True).labels
     choice = {"first_column": 0, "first_row": 0, "columns": 10, "rows": 8}
     notes = of_chosen(label, region="SAMPLES", **choice)
     assert "10 x 8 = 80 samples to touch" in notes.labels
