@@ -6,7 +6,7 @@ from .detect import SUFFIXES, read_grid
 from .elevation_grid import ElevationGrid
 from .format_error import FormatError
 from .georeference import Georeference
-from .hgt import HgtPosition
+from .raw.hgt import HgtPosition
 from .region import Region
 
 __all__ = [

@@ -8,11 +8,11 @@ from pathlib import Path
 from proxygraph import Grid, GridLayout, Progress
 
 from .decoding import Decoding
-from .esri_ascii_decoder import decode_esri_ascii
-from .geotiff_decoder import decode_geotiff
-from .rasterio_decoder import decode_through_rasterio
-from .raw_decoder import decode_raw
-from .usgs_dem_decoder import decode_usgs_dem
+from .geotiff.geotiff_decoder import decode_geotiff
+from .raw.raw_decoder import decode_raw
+from .text.esri_ascii_decoder import decode_esri_ascii
+from .text.usgs_dem_decoder import decode_usgs_dem
+from .through_rasterio.rasterio_decoder import decode_through_rasterio
 
 Decoder = Callable[[Path, GridLayout, Decoding, Progress | None], Grid]
 """Takes the data file, the packed layout that is wanted, the decoding, and where to tell progress.

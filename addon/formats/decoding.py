@@ -7,7 +7,7 @@ from typing import Any
 
 from proxygraph import GridLayout
 
-from .raw_samples import RawSamples
+from .raw.raw_samples import RawSamples
 from .region import Region
 
 

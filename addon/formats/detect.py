@@ -6,31 +6,31 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from . import rasterio_fallback
-from .data_beside import header_beside
-from .dem_without_header import looks_like_headless_dem, read_headless_dem
-from .ehdr import read_ehdr
 from .elevation_grid import ElevationGrid
-from .envi import read_envi
-from .envi_header import MAGIC as ENVI_MAGIC
-from .esri_ascii import read_esri_ascii
 from .file_bytes import file_length, read_head
 from .format_error import FormatError
-from .geotiff import read_geotiff
-from .gridfloat import read_gridfloat
-from .hgt import SIZES as HGT_SIZES
-from .hgt import SUFFIX as HGT_SUFFIX
-from .hgt import HgtPosition, position_of, read_hgt
-from .keyword_header import keywords_of, looks_like_keyword_header
-from .label import FIRST_KEYWORD
+from .geotiff.geotiff_reader import read_geotiff
+from .geotiff.tiff_magic import looks_like_tiff
 from .not_a_grid import kind_of_file, without_header
 from .partner_file import file_in_any_case
-from .pds3_image import LABEL_SUFFIX, read_pds3
-from .pds4_array import read_pds4
-from .pds4_label import NAMESPACE
-from .text_grids import looks_like_esri_ascii, looks_like_usgs_dem
-from .tiff_magic import looks_like_tiff
-from .usgs_dem import read_usgs_dem
+from .pds.label import FIRST_KEYWORD
+from .pds.pds3_image import LABEL_SUFFIX, read_pds3
+from .pds.pds4_array import read_pds4
+from .pds.pds4_label import NAMESPACE
+from .raw.data_beside import header_beside
+from .raw.dem_without_header import looks_like_headless_dem, read_headless_dem
+from .raw.ehdr import read_ehdr
+from .raw.envi import read_envi
+from .raw.envi_header import MAGIC as ENVI_MAGIC
+from .raw.gridfloat import read_gridfloat
+from .raw.hgt import SIZES as HGT_SIZES
+from .raw.hgt import SUFFIX as HGT_SUFFIX
+from .raw.hgt import HgtPosition, position_of, read_hgt
+from .raw.keyword_header import keywords_of, looks_like_keyword_header
+from .text.esri_ascii import read_esri_ascii
+from .text.text_grids import looks_like_esri_ascii, looks_like_usgs_dem
+from .text.usgs_dem import read_usgs_dem
+from .through_rasterio import rasterio_fallback
 
 SUFFIXES = (
     ".lbl",

@@ -10,7 +10,7 @@ import math
 from dataclasses import dataclass, replace
 from typing import Literal
 
-from .ellipsoid import Ellipsoid
+from .body.ellipsoid import Ellipsoid
 from .projections import Coordinates, Projection
 from .region import Region
 

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import asdict, fields
 from typing import Any, TypeVar
 
-from .ellipsoid import Ellipsoid
+from .body.ellipsoid import Ellipsoid
 from .georeference import Georeference
 from .projections import KINDS
 

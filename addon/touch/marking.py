@@ -7,7 +7,7 @@ import math
 import bpy
 from proxygraph import Grid
 
-from ..formats.profile import Profile, profile
+from ..formats.profiles.profile import Profile, profile
 from ..terrain.frame import is_on_map, place_in_grid
 from ..terrain.kept import KeptTerrain, recall
 from ..terrain.marks import Between, MarkName, Place, marks_of, nearest_turn, set_between, set_mark

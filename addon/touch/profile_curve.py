@@ -8,7 +8,7 @@ from itertools import groupby
 import bpy
 import numpy as np
 
-from ..formats.profile import Profile, ProfilePoint
+from ..formats.profiles.profile import Profile, ProfilePoint
 from ..terrain.frame import map_size
 from ..terrain.kept import recall
 from ..terrain.preview import Numbers, PreviewSurface, preview_cells, preview_surface

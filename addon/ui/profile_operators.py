@@ -8,8 +8,8 @@ import bpy
 from bpy_extras.io_utils import ExportHelper
 
 from ..formats import FormatError
-from ..formats.profile import Profile
-from ..formats.profile_csv import write_profile
+from ..formats.profiles.profile import Profile
+from ..formats.profiles.profile_csv import write_profile
 from ..terrain.kept import KeptError, recall
 from ..terrain.marks import marks_of
 from ..terrain.undone import undone_on_failure

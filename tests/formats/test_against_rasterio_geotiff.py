@@ -13,7 +13,7 @@ import pytest
 from proxygraph import GeoTiff, Grid, GridLayout
 
 from addon.formats import ElevationGrid
-from addon.formats.geotiff import read_geotiff
+from addon.formats.geotiff.geotiff_reader import read_geotiff
 
 numpy = pytest.importorskip("numpy", reason="numpy is not installed")
 rasterio = pytest.importorskip("rasterio", reason="rasterio is not installed")

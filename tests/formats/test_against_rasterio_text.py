@@ -12,8 +12,8 @@ from typing import Any
 import pytest
 
 from addon.formats import ElevationGrid
-from addon.formats.esri_ascii import read_esri_ascii
-from addon.formats.usgs_dem import read_usgs_dem
+from addon.formats.text.esri_ascii import read_esri_ascii
+from addon.formats.text.usgs_dem import read_usgs_dem
 from tests.formats.usgs_dem_file import DemFile, ProfileOfHeights
 
 rasterio: Any = pytest.importorskip("rasterio", reason="rasterio is not installed: nothing to compare with")

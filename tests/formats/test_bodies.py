@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from addon.formats.bodies import BODIES, ELLIPSOIDS, body_named, body_of, ellipsoid_named
-from addon.formats.ellipsoid import Ellipsoid
+from addon.formats.body.bodies import BODIES, ELLIPSOIDS, body_named, body_of, ellipsoid_named
+from addon.formats.body.ellipsoid import Ellipsoid
 
 
 @pytest.mark.parametrize(

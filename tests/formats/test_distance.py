@@ -9,9 +9,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from addon.formats.distance import distance
-from addon.formats.ellipsoid import Ellipsoid
-from addon.formats.latitudes import to_planetocentric, to_planetographic
+from addon.formats.body.distance import distance
+from addon.formats.body.ellipsoid import Ellipsoid
+from addon.formats.body.latitudes import to_planetocentric, to_planetographic
 from addon.formats.projections.meridian import meridian_distance
 
 SPHERE = Ellipsoid.sphere(1000.0)

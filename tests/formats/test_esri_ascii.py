@@ -11,8 +11,8 @@ import pytest
 from proxygraph import CancelledError, Progress
 
 from addon.formats import ElevationGrid, FormatError, Region
-from addon.formats.esri_ascii import read_esri_ascii
 from addon.formats.projections import Geographic, Unknown
+from addon.formats.text.esri_ascii import read_esri_ascii
 
 HEADER = {
     "ncols": "3",

@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from addon.formats.ellipsoid import Ellipsoid
+from addon.formats.body.ellipsoid import Ellipsoid
 from addon.formats.georeference import Georeference
 from addon.formats.georeference_properties import georeference_from, georeference_properties
 from addon.formats.projections import (

@@ -11,9 +11,10 @@ from typing import Any
 import pytest
 from proxygraph import CancelledError, DecodeError, GeoTiff, GridLayout, Progress
 
-from addon.formats import ElevationGrid, FormatError, Region, geotiff_nodata
-from addon.formats.geotiff import read_geotiff
-from addon.formats.tiff_magic import looks_like_tiff
+from addon.formats import ElevationGrid, FormatError, Region
+from addon.formats.geotiff import geotiff_nodata
+from addon.formats.geotiff.geotiff_reader import read_geotiff
+from addon.formats.geotiff.tiff_magic import looks_like_tiff
 from tests.formats.megdr_pair import rough
 from tests.formats.tiff_file import ASCII, DOUBLE, LONG, SHORT, WGS_84, TiffFile
 

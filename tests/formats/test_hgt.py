@@ -8,7 +8,7 @@ from struct import pack
 import pytest
 
 from addon.formats import HgtPosition, read_grid
-from addon.formats.hgt import position_of
+from addon.formats.raw.hgt import position_of
 from tests.formats.reading import SHARED, complaint, needs
 
 

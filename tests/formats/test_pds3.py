@@ -356,7 +356,7 @@ def test_a_text_that_is_too_long_for_a_label_is_not_followed(
 
     label = pair.write(tmp_path)
     label.write_text(label.read_text().replace("END\n", "A = (1, 2)\n" * 6000 + "END\n"))
-    monkeypatch.setattr("addon.formats.label.pvl.loads", follow)
+    monkeypatch.setattr("addon.formats.pds.label.pvl.loads", follow)
     assert "65,536 bytes" in complaint(label)
 
 

@@ -12,9 +12,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from proxygraph import Grid, GridLayout
 
-from addon.formats.ellipsoid import Ellipsoid
+from addon.formats.body.ellipsoid import Ellipsoid
 from addon.formats.georeference import Georeference
-from addon.formats.profile import profile
+from addon.formats.profiles.profile import profile
 from addon.formats.projections import (
     Equirectangular,
     Geographic,

@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from addon.formats.ellipsoid import Ellipsoid
+from addon.formats.body.ellipsoid import Ellipsoid
 from addon.formats.projections import (
     KINDS,
     Albers,

@@ -11,7 +11,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from addon.formats import FormatError, Region, rasterio_library, read_grid
+from addon.formats import FormatError, Region, read_grid
+from addon.formats.through_rasterio import rasterio_library
 from tests.formats.megdr_pair import rough
 from tests.formats.reading import complaint, heights
 

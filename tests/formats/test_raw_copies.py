@@ -10,11 +10,11 @@ import pytest
 from proxygraph import CancelledError, GridLayout, Progress
 
 from addon.formats import ElevationGrid, FormatError, Region
+from addon.formats.body.ellipsoid import Ellipsoid
 from addon.formats.decoding import Decoding
-from addon.formats.ellipsoid import Ellipsoid
 from addon.formats.georeference import Georeference
 from addon.formats.projections import Geographic
-from addon.formats.raw_samples import DECODED, RAW_BYTES, RawSample, RawSamples
+from addon.formats.raw.raw_samples import DECODED, RAW_BYTES, RawSample, RawSamples
 from tests.formats.megdr_pair import planet, rough
 
 CODES: dict[RawSample, str] = {

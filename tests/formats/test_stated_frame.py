@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import pytest
 
-from addon.formats.datums import CLARKE_1866, WGS84
+from addon.formats.body.datums import CLARKE_1866, WGS84
+from addon.formats.frames.stated_frame import stated_frame
+from addon.formats.frames.wkt import WktError, parse_wkt
 from addon.formats.projections import KINDS, Geographic, Unknown
-from addon.formats.stated_frame import stated_frame
-from addon.formats.wkt import WktError, parse_wkt
 
 GEOGRAPHIC = (
     'GEOGCS["GCS_WGS_1984",DATUM["D_WGS_1984",SPHEROID["WGS_1984",6378137.0,298.257223563]],'

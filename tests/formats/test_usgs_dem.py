@@ -10,9 +10,9 @@ import pytest
 from proxygraph import CancelledError, Progress
 
 from addon.formats import ElevationGrid, FormatError, Region
-from addon.formats.datums import CLARKE_1866, GRS80, WGS84
+from addon.formats.body.datums import CLARKE_1866, GRS80, WGS84
 from addon.formats.projections import KINDS, Geographic, Unknown
-from addon.formats.usgs_dem import read_usgs_dem
+from addon.formats.text.usgs_dem import read_usgs_dem
 from tests.formats.usgs_dem_file import VOID, DemFile, ProfileOfHeights
 
 REAL = Path(__file__).resolve().parents[3] / "shared" / "data" / "usgs_dem" / "SainteHelens.dem"

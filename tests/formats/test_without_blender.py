@@ -17,7 +17,9 @@ for name in ("bpy", "mathutils", "bmesh", "bpy_extras", "numpy"):
     sys.modules[name] = None
 from pathlib import Path
 import addon
-from addon.formats import bodies, profile, projections, read_grid
+from addon.formats import projections, read_grid
+from addon.formats.body import bodies
+from addon.formats.profiles import profile
 from addon.record import resample
 from addon.terrain import frame
 from addon.touch import recorder

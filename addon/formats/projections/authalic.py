@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 
-from ..ellipsoid import Ellipsoid
+from ..body.ellipsoid import Ellipsoid
 
 STEPS = 12
 """Of Newton's method at most; on planets 3 or 4 are enough for all digits."""

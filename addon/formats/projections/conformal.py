@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 
-from ..ellipsoid import Ellipsoid
+from ..body.ellipsoid import Ellipsoid
 
 STEPS = 8
 """Of Newton's method at most; on planets 2 or 3 are enough for all digits."""

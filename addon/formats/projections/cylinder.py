@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 
-from ..ellipsoid import Ellipsoid
+from ..body.ellipsoid import Ellipsoid
 from .conformal import parallel_radius
 
 

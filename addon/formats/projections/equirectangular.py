@@ -12,7 +12,7 @@ import math
 from dataclasses import dataclass
 from typing import ClassVar
 
-from ..ellipsoid import Ellipsoid
+from ..body.ellipsoid import Ellipsoid
 from .cylinder import share_of_equator, turn_of
 from .map_in_metres import MapInMetres
 from .meridian import latitude_at, meridian_distance

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 from typing import ClassVar
 
-from ..ellipsoid import Ellipsoid
+from ..body.ellipsoid import Ellipsoid
 from .projection import Coordinates
 
 

@@ -10,7 +10,7 @@ import math
 from dataclasses import dataclass
 from typing import ClassVar
 
-from ..ellipsoid import Ellipsoid
+from ..body.ellipsoid import Ellipsoid
 from .authalic import authalic_latitude, planetographic_latitude, polar_q
 from .azimuth import place_on_sphere
 from .conformal import parallel_radius

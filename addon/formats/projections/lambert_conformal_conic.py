@@ -10,7 +10,7 @@ import math
 from dataclasses import dataclass
 from typing import ClassVar
 
-from ..ellipsoid import Ellipsoid
+from ..body.ellipsoid import Ellipsoid
 from .cone import roll, unroll
 from .conformal import isometric_latitude, latitude_of_isometric, parallel_radius
 from .map_in_metres import MapInMetres

@@ -11,7 +11,7 @@ from abc import ABC, abstractmethod
 from dataclasses import dataclass
 from typing import ClassVar
 
-from ..ellipsoid import Ellipsoid
+from ..body.ellipsoid import Ellipsoid
 from .projection import Coordinates
 
 AGREEMENT = 1e-8

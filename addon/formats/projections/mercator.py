@@ -10,7 +10,7 @@ import math
 from dataclasses import dataclass
 from typing import ClassVar
 
-from ..ellipsoid import Ellipsoid
+from ..body.ellipsoid import Ellipsoid
 from .conformal import isometric_latitude, latitude_of_isometric
 from .cylinder import share_of_equator, turn_of
 from .map_in_metres import MapInMetres

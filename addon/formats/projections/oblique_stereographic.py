@@ -10,7 +10,7 @@ import math
 from dataclasses import dataclass
 from typing import ClassVar
 
-from ..ellipsoid import Ellipsoid
+from ..body.ellipsoid import Ellipsoid
 from .azimuth import place_on_sphere
 from .conformal import conformal_tangent, parallel_radius, planetographic_tangent
 from .map_in_metres import MapInMetres

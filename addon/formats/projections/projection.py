@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import ClassVar, Protocol
 
-from ..ellipsoid import Ellipsoid
+from ..body.ellipsoid import Ellipsoid
 
 Coordinates = tuple[float, float]
 """(east, north) of a place: degrees, or a map's metres."""

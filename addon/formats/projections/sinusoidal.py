@@ -10,7 +10,7 @@ import math
 from dataclasses import dataclass
 from typing import ClassVar
 
-from ..ellipsoid import Ellipsoid
+from ..body.ellipsoid import Ellipsoid
 from .conformal import parallel_radius
 from .map_in_metres import MapInMetres
 from .meridian import latitude_at, meridian_distance

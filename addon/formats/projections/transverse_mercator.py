@@ -12,7 +12,7 @@ import math
 from dataclasses import dataclass
 from typing import ClassVar
 
-from ..ellipsoid import Ellipsoid
+from ..body.ellipsoid import Ellipsoid
 from .conformal import conformal_tangent, planetographic_tangent
 from .map_in_metres import MapInMetres
 from .meridian import meridian_distance, meridian_series

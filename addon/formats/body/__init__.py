@@ -1,0 +1,1 @@
+"""The shape of a body, and distances on it."""

@@ -1,0 +1,1 @@
+"""GeoTIFF: tags, keys, and samples decoded natively."""

@@ -1,0 +1,1 @@
+"""Raw samples with a small header beside them, or none: EHdr, GridFloat, ENVI, SRTM, GTOPO30."""

@@ -1,0 +1,1 @@
+"""Heights in text: USGS DEM and Esri ASCII."""

@@ -1,0 +1,14 @@
+"""From a USGS DEM to a grid in memory."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from proxygraph import Grid, GridLayout, Progress, UsgsDem
+
+from ..decoding import Decoding
+
+
+def decode_usgs_dem(path: Path, layout: GridLayout, decoding: Decoding, progress: Progress | None) -> Grid:
+    """Decode a region; see ``DECODERS``."""
+    return UsgsDem.open(path).decode(layout, decoding.first_column, decoding.first_row, progress=progress)

@@ -1,0 +1,1 @@
+"""What only rasterio reads, where the person has it."""

@@ -1,0 +1,53 @@
+"""The first band of a raster, brought into memory through rasterio."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from proxygraph import Grid, GridLayout, Progress
+
+from ..decoding import Decoding
+from ..refusal import first_line
+from ..region import SAMPLE_BYTES
+from .rasterio_library import SAMPLES, open_raster, rasterio_module
+
+ROWS_AT_ONCE = 256
+
+
+def decode_through_rasterio(
+    path: Path, layout: GridLayout, decoding: Decoding, progress: Progress | None
+) -> Grid:
+    """Read the first band, or a region of it, some rows at a time."""
+    rasterio = rasterio_module()
+    if rasterio is None:
+        raise OSError("rasterio, which read this file before, is not installed any more")
+    samples = bytearray(layout.samples * SAMPLE_BYTES[layout.sample])
+    row_bytes = layout.columns * SAMPLE_BYTES[layout.sample]
+    try:
+        with open_raster(rasterio, path) as source:
+            _, asked = SAMPLES[str(source.dtypes[0])]
+            for row in range(0, layout.rows, ROWS_AT_ONCE):
+                rows = min(ROWS_AT_ONCE, layout.rows - row)
+                block = b"".join(_columns(source, asked, decoding, row, rows, layout.columns))
+                samples[row * row_bytes : (row + rows) * row_bytes] = block
+                if progress is not None:
+                    progress.step(row + rows, layout.rows)
+    except rasterio.errors.RasterioError as error:
+        raise OSError(first_line(error)) from error
+    return Grid.from_buffer(samples, layout)
+
+
+def _columns(source: Any, asked: str, decoding: Decoding, row: int, rows: int, columns: int) -> list[bytes]:
+    """Some rows of the region, little-endian; columns across the seam come from the first ones."""
+    first, first_row = decoding.first_column, decoding.first_row + row
+    until = min(first + columns, source.width)
+    parts = [(first, until - first)]
+    if until - first < columns:
+        parts.append((0, columns - (until - first)))
+    blocks = [
+        source.read(1, window=((first_row, first_row + rows), (start, start + count)), out_dtype=asked)
+        for start, count in parts
+    ]
+    little = [block.astype(block.dtype.newbyteorder("<"), copy=False) for block in blocks]
+    return [block[line].tobytes() for line in range(rows) for block in little]
