@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from pathlib import Path
 
@@ -16,6 +16,9 @@ from addon.formats.cache import cache, cache_file, cached_file, make_room
 from addon.formats.decoders import DECODERS
 from addon.formats.decoding import Decoding
 from tests.formats.megdr_pair import MegdrPair, rough
+from tests.formats.raw_grids import EhdrPair
+from tests.formats.tiff_file import TiffFile
+from tests.formats.usgs_dem_file import DemFile
 
 
 @pytest.fixture
@@ -117,3 +120,41 @@ def test_what_an_unfinished_decoder_left_counts_and_goes(small: Path) -> None:
     cache.most_on_disk = 50
     make_room(10)
     assert not list(small.iterdir())
+
+
+def esri_ascii(folder: Path) -> Path:
+    path = folder / "grid.asc"
+    path.write_text("ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 30\n1 2 3\n4 5 6.5\n")
+    return path
+
+
+def geotiff(folder: Path) -> Path:
+    path = folder / "grid.tif"
+    path.write_bytes(TiffFile(rough(5, 7), compression=8).data())
+    return path
+
+
+def bands(folder: Path) -> Path:
+    words = {"NBANDS": 2, "LAYOUT": "BIP", "TOTALROWBYTES": None}
+    EhdrPair(words=words, data=bytes(range(100))).write(folder)
+    return next(folder.glob("*.hdr"))
+
+
+def usgs_dem(folder: Path) -> Path:
+    path = folder / "grid.dem"
+    path.write_bytes(DemFile().data())
+    return path
+
+
+@pytest.mark.parametrize("write", [esri_ascii, geotiff, bands, usgs_dem])
+def test_every_native_decoder_writes_large_grids_to_the_disk_and_maps_them(
+    tmp_path: Path, small: Path, write: Callable[[Path], Path]
+) -> None:
+    described = read_grid(write(tmp_path))
+    cache.most_in_memory = 1 << 30
+    expected = described.open().elevations(range(3), range(2)).tobytes()
+    assert not any(small.parent.glob("cache/*"))
+    cache.most_in_memory = 0
+    assert described.open().elevations(range(3), range(2)).tobytes() == expected
+    (file,) = small.iterdir()
+    assert file.stat().st_size == described.layout.byte_length

@@ -6,6 +6,7 @@ from pathlib import Path
 
 from proxygraph import GeoTiff, Grid, GridLayout, Progress
 
+from ..cache import cache_file
 from ..decoding import Decoding
 
 
@@ -23,4 +24,5 @@ def decode_geotiff(path: Path, layout: GridLayout, decoding: Decoding, progress:
         south_up=bool(decoding.options["south_up"]),
         fill=float(decoding.options["fill"]),
         progress=progress,
+        cache=cache_file(path, layout, decoding),
     )

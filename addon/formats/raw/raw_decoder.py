@@ -7,6 +7,7 @@ from pathlib import Path
 import proxygraph
 from proxygraph import Grid, GridLayout, Progress
 
+from ..cache import cache_file
 from ..decoding import Decoding
 from .raw_samples import RawSamples
 
@@ -25,4 +26,11 @@ def decode_raw(path: Path, layout: GridLayout, decoding: Decoding, progress: Pro
         south_first=raw.south_first,
         wraps=raw.wraps,
     )
-    return samples.decode(path, layout, decoding.first_column, decoding.first_row, progress=progress)
+    return samples.decode(
+        path,
+        layout,
+        decoding.first_column,
+        decoding.first_row,
+        progress=progress,
+        cache=cache_file(path, layout, decoding),
+    )
