@@ -7,7 +7,6 @@ from dataclasses import dataclass, field
 
 from proxygraph import Grid, Progress
 
-from .filling import filled_grid
 from .kept import KeptTerrain
 
 MOST_BYTES = 1 << 30
@@ -39,7 +38,7 @@ class OpenedGrids:
         if grid is None:
             grid = kept.grid.open(progress)
             if kept.filled:
-                grid = filled_grid(grid, progress)
+                grid = grid.filled(progress)
             self.add(kept, grid)
         else:
             self._grids.move_to_end(key)

@@ -2,29 +2,22 @@
 
 from __future__ import annotations
 
-import inspect
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 from proxygraph import Grid
 
-from .. import formats
-from ..formats import ElevationGrid, FormatError, read_grid
+from ..formats import ElevationGrid, FormatError, HgtPosition, read_grid
 from ..formats.source_stamp import SourceStamp
 from .chosen_region import cut_grid
-from .filling import CAN_FILL, filled_grid
 from .frame import TerrainFrame, fitting_scale, rounded_exaggeration, terrain_frame
 from .kept import KeptTerrain
 from .options import ImportOptions, SceneScale
 from .preview import PreviewSurface, preview_cells, preview_surface, with_filled
 from .slope import slopes
 from .work import Work
-
-CAN_POSITION = "position" in inspect.signature(read_grid).parameters
-"""Whether SRTM squares can be told where they lie."""
 
 
 @dataclass(frozen=True)
@@ -45,11 +38,8 @@ def read_header(path: Path, options: ImportOptions) -> ElevationGrid:
         FormatError: the file cannot be used, or has no such region.
     """
     place = options.position
-    if place is None or not CAN_POSITION:
-        return cut_grid(read_grid(path), options.region)
-    position = formats.HgtPosition(latitude=place[0], longitude=place[1])
-    read: Any = read_grid
-    return cut_grid(read(path, position), options.region)
+    position = None if place is None else HgtPosition(latitude=place[0], longitude=place[1])
+    return cut_grid(read_grid(path, position), options.region)
 
 
 def prepare(path: Path, options: ImportOptions, work: Work) -> Prepared:
@@ -63,8 +53,8 @@ def prepare(path: Path, options: ImportOptions, work: Work) -> Prepared:
     grid = read_header(path.absolute(), options)
     stamp = _stamp(grid)
     raw = grid.open(work.begin("Decoding" if grid.decoding else "Opening", until=0.5))
-    filled = options.fill_voids and CAN_FILL
-    samples = filled_grid(raw, work.begin("Filling voids", until=0.7)) if filled else raw
+    filled = options.fill_voids
+    samples = raw.filled(work.begin("Filling voids", until=0.7)) if filled else raw
     work.begin("Measuring", until=0.8)
     extent = samples.range()
     if extent is None:

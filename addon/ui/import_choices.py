@@ -8,9 +8,7 @@ from typing import Any
 import bpy
 
 from ..terrain.chosen_region import ChosenRegion, LongitudeLatitudeBox, RowsAndColumns
-from ..terrain.filling import CAN_FILL
 from ..terrain.options import ImportOptions, SceneScale
-from ..terrain.prepare import CAN_POSITION
 from ..terrain.preview import VERTEX_BUDGET
 
 
@@ -138,9 +136,8 @@ def draw_choices(choices: ImportChoices, layout: Any, *, unplaced: bool) -> None
         *REGION_FIELDS[RegionBy(choices.region)],
     ):
         layout.prop(choices, name)
-    if CAN_FILL:
-        layout.prop(choices, "fill_voids")
-    if CAN_POSITION and (unplaced or choices.placed):
+    layout.prop(choices, "fill_voids")
+    if unplaced or choices.placed:
         for name in ("placed", *(("latitude", "longitude") if choices.placed else ())):
             layout.prop(choices, name)
 

@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
 
 import bpy
 import pytest
-from proxygraph import Grid
 
 from tests.addon.scene import import_grid, module
 from tests.formats.megdr_pair import MegdrPair, rough
@@ -22,78 +20,49 @@ def label(tmp_path: Path) -> Path:
     return MegdrPair(heights, image={"MISSING_CONSTANT": VOID}).write(tmp_path)
 
 
-@pytest.fixture
-def filler(monkeypatch: pytest.MonkeyPatch) -> list[Grid]:
-    """Fill every void with 7 m, in the place of the native module; gives the grids that were filled."""
-    calls: list[Grid] = []
-
-    def fill(grid: Grid, _progress: object = None) -> Grid:
-        calls.append(grid)
-        layout = grid.layout
-        values = grid.elevations(range(layout.columns), range(layout.rows)).tolist()
-        from array import array
-
-        whole = array("d", [7.0 if value != value else value for row in _rows(values) for value in row])
-        from proxygraph import GridLayout
-
-        packed = GridLayout(
-            layout.rows,
-            layout.columns,
-            cell_width=layout.cell_width,
-            cell_height=layout.cell_height,
-            sample="f64",
-            byte_order="little",
-        )
-        return Grid.from_buffer(whole, packed)
-
-    for name in ("terrain.prepare", "terrain.opened"):
-        monkeypatch.setattr(module(name), "filled_grid", fill)
-    monkeypatch.setattr(module("terrain.prepare"), "CAN_FILL", True)
-    return calls
+def filled_heights(label: Path) -> list[float]:
+    """What the native module makes of the two holes."""
+    grid = module("formats").read_grid(label).open().filled()
+    return [grid.elevation(column, 4) for column in (5, 6)]
 
 
-def _rows(values: Any) -> list[list[float]]:
-    return values if values and isinstance(values[0], list) else [values]
-
-
-def test_holes_stay_holes_unless_they_are_to_be_filled(label: Path, filler: list[Grid]) -> None:
+def test_holes_stay_holes_unless_they_are_to_be_filled(label: Path) -> None:
     mesh = import_grid(label).data
     assert len(mesh.vertices) == 9 * 13 - 2
     assert "filled" not in mesh.attributes
-    assert not filler
 
 
-def test_filled_land_is_marked_and_has_a_colour_of_its_own(label: Path, filler: list[Grid]) -> None:
+def test_filled_land_is_marked_and_has_a_colour_of_its_own(label: Path) -> None:
     terrain = import_grid(label, fill_voids=True)
     mesh = terrain.data
     marks = [value.value for value in mesh.attributes["filled"].data]
     assert [number for number, mark in enumerate(marks) if mark] == [4 * 13 + 5, 4 * 13 + 6]
-    assert [mesh.attributes["elevation"].data[4 * 13 + column].value for column in (5, 6)] == [7.0, 7.0]
+    assert [mesh.attributes["elevation"].data[4 * 13 + column].value for column in (5, 6)] == filled_heights(
+        label
+    )
     material = module("terrain.terrain_material")
     colour = material.filled_colour(mesh.materials[0])
     assert tuple(colour.default_value)[:3] == pytest.approx(module("terrain.palettes").FILLED)
     assert colour.node.inputs["Factor"].links[0].from_node.attribute_name == "filled"
 
 
-def test_the_hand_feels_what_was_filled(label: Path, filler: list[Grid]) -> None:
+def test_the_hand_feels_what_was_filled(label: Path) -> None:
     terrain = import_grid(label, fill_voids=True)
     assert module("terrain.kept").recall(terrain).filled
     bpy.ops.haptic_terrain.touch_start()
     touch = module("touch.live").live.touch
-    assert touch.grid.elevation(5, 4) == 7.0
-    assert len(filler) == 1
+    assert touch.grid.elevation(5, 4) == filled_heights(label)[0]
 
 
-def test_a_loaded_file_fills_again(label: Path, filler: list[Grid], tmp_path: Path) -> None:
+def test_a_loaded_file_fills_again(label: Path, tmp_path: Path) -> None:
     import_grid(label, fill_voids=True)
     bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "kept.blend"))
     bpy.ops.wm.open_mainfile(filepath=str(tmp_path / "kept.blend"))
     bpy.ops.haptic_terrain.touch_start()
-    assert module("touch.live").live.touch.grid.elevation(6, 4) == 7.0
-    assert len(filler) == 2
+    assert module("touch.live").live.touch.grid.elevation(6, 4) == filled_heights(label)[1]
 
 
-def test_a_grid_without_holes_has_no_colour_for_filled_land(tmp_path: Path, filler: list[Grid]) -> None:
+def test_a_grid_without_holes_has_no_colour_for_filled_land(tmp_path: Path) -> None:
     terrain = import_grid(MegdrPair(rough(9, 13)).write(tmp_path), fill_voids=True)
     assert "filled" not in terrain.data.attributes
     assert module("terrain.terrain_material").filled_colour(terrain.data.materials[0]) is None
