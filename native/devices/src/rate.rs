@@ -51,11 +51,7 @@ pub struct RateDevice<D> {
 impl<D: Device> RateDevice<D> {
     /// A hand in a workspace of that size (metres), moved by `puck`, whose positions count from its
     /// middle.
-    pub fn new(
-        puck: D,
-        control: RateControl,
-        workspace: [f64; 3],
-    ) -> Result<Self, ParameterError> {
+    pub fn new(puck: D, control: RateControl, workspace: [f64; 3]) -> Result<Self, ParameterError> {
         check::workspace(workspace)?;
         check::positive("reach of the puck", control.reach)?;
         check::not_negative("dead_zone", control.dead_zone)?;

@@ -14,8 +14,8 @@ use crate::engine::{COMMANDS, Engine, Ports, RETIRED, Snapshot, TICKS_PER_SECOND
 use crate::live::{Granted, Live};
 use crate::safety::Heartbeat;
 use crate::{
-    Fault, Frame, Histogram, Interaction, Limits, LockedMemory, Mode, Priority, Servo, State, Statistics, TickRecord,
-    Totals, Warning, Window,
+    Fault, Frame, Histogram, Interaction, Limits, LockedMemory, Mode, Priority, Servo, State,
+    Statistics, TickRecord, Totals, Warning, Window,
 };
 
 /// The longest ring: an hour of ticks takes about a gigabyte.

@@ -9,7 +9,8 @@ pub(super) fn detent(level: f64, pitch: f64, force: f64) -> (f64, f64) {
     let (share, left) = (beside.abs(), 0.5 - beside.abs());
     let pull = if share <= 0.25 { share / 0.25 } else { left / 0.25 };
     // The triangle's area up to here.
-    let area = if share <= 0.25 { 0.5 * share * share / 0.25 } else { 0.125 - 0.5 * left * left / 0.25 };
+    let area =
+        if share <= 0.25 { 0.5 * share * share / 0.25 } else { 0.125 - 0.5 * left * left / 0.25 };
     (-force * pull.copysign(beside), force * pitch * area)
 }
 

@@ -14,12 +14,14 @@ pub(super) struct Drift {
     velocity: [f64; 2],
     /// Metres that it made in this tick.
     way: [f64; 2],
+    /// Joules that its momentum has paid for work on the hand, and may get back from it.
+    lent: f64,
     bounds: Bounds,
 }
 
 impl Drift {
     pub(super) fn new(velocity: [f64; 2], bounds: Bounds) -> Drift {
-        Drift { velocity, way: [0.0; 2], bounds }
+        Drift { velocity, way: [0.0; 2], lent: 0.0, bounds }
     }
 
     pub(super) fn velocity(&self) -> [f64; 2] {
@@ -60,20 +62,23 @@ impl Drift {
         }
     }
 
-    /// Pays for the work of `force`, newtons on the hand, on the way of this tick. Momentum never
-    /// grows by it.
+    /// Pays for the work of `force`, newtons on the hand, on the way of this tick, as a mass rolling
+    /// over hills would: uphill it becomes slower, downhill it gets back what it paid, and never more.
+    /// Gives the joules that were paid.
     pub(super) fn pay(&mut self, force: [f64; 3], mass: f64) -> f64 {
         let work = force[0] * self.way[0] + force[1] * self.way[1];
-        if work.is_nan() || work <= 0.0 {
-            return 0.0;
-        }
         let [right, away] = self.velocity;
         let speed = right.hypot(away);
+        if !work.is_finite() || speed == 0.0 {
+            return 0.0;
+        }
         let energy = 0.5 * mass * speed * speed;
-        let paid = work.min(energy);
-        let slower = (2.0 * (energy - paid) / mass).sqrt().min(speed);
-        let share = if speed > 0.0 { slower / speed } else { 0.0 };
-        self.velocity = self.velocity.map(|metres| metres * share);
+        let paid = work.clamp(-self.lent, energy);
+        self.lent = (self.lent + paid).max(0.0);
+        let share = (1.0 - paid / energy).max(0.0).sqrt();
+        if share.is_finite() {
+            self.velocity = self.velocity.map(|metres| metres * share);
+        }
         paid
     }
 }

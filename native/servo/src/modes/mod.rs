@@ -224,7 +224,7 @@ impl Modes {
     }
 
     /// The force of the surface on the hand, newtons: while it drifts, its momentum pays for what
-    /// that does. Gives the joules that were paid.
+    /// that does. Gives the joules that were paid, or below zero those that came back.
     pub(crate) fn pay(&mut self, force: [f64; 3]) -> f64 {
         match &mut self.motion {
             Motion::Normal(drift) => drift.pay(force, self.knobs.interaction.pan_mass),
@@ -238,3 +238,5 @@ fn seconds(dt: f64) -> f64 {
     if dt.is_finite() { dt.max(0.0) } else { NOMINAL_PERIOD }
 }
 
+#[cfg(test)]
+mod tests;

@@ -49,12 +49,7 @@ pub(super) fn damping(
 
 impl Pan {
     /// Holds the grid point `held`, where it lies under `frame`, of a surface that moves.
-    pub(super) fn grab(
-        held: GridPoint,
-        hand: &Hand<'_>,
-        frame: &Frame,
-        velocity: [f64; 2],
-    ) -> Pan {
+    pub(super) fn grab(held: GridPoint, hand: &Hand<'_>, frame: &Frame, velocity: [f64; 2]) -> Pan {
         Pan {
             held,
             at: frame.workspace(&held),
@@ -80,18 +75,27 @@ impl Pan {
         let before = std::mem::replace(&mut self.inside, inside);
         let hand_way: [f64; 2] = std::array::from_fn(|axis| inside[axis] - before[axis]);
         let dt = seconds(hand.dt);
-        let beside = if hand.is_at_wall {
+        // In a tick that follows a late one closely a hand seems faster than it is.
+        let damping = knobs.pan_damping * (dt / NOMINAL_PERIOD).min(1.0);
+        if hand.is_at_wall {
             self.follow(dt);
-            [0.0; 2]
         } else {
-            self.move_on(knobs, hand_way, dt, stiffness)
-        };
+            self.move_on(knobs, damping, hand_way, dt, stiffness);
+        }
         self.lay(frame, dt);
+        let mut beside = [0.0; 3];
+        if hand.is_at_wall {
+            self.velocity = [0.0; 2];
+        } else if dt > 0.0 {
+            for axis in 0..2 {
+                beside[axis] = damping * (self.velocity[axis] - hand_way[axis] / dt);
+            }
+        }
         let [x, y, z] = self.at;
         let [right, away] = self.velocity;
         Hold {
             stretch: [x - inside[0], y - inside[1], z - hand.pose.position[2]],
-            beside: [beside[0], beside[1], 0.0],
+            beside,
             kept: 0.5 * knobs.interaction.pan_mass * (right * right + away * away),
             has_walls: true,
         }
@@ -101,38 +105,30 @@ impl Pan {
     /// goes slack. As the point inside does not move while the hand is pressed into the wall, the
     /// spring adds nothing to the wall's stiffness.
     fn follow(&mut self, dt: f64) {
-        self.velocity = [0.0; 2];
         let share = (-dt / SLACK).exp();
         for (at, inside) in self.at.iter_mut().zip(self.inside) {
             *at = inside + (*at - inside) * share;
         }
     }
 
-    /// Moves the mass on, and gives the damper's force on the hand, newtons.
+    /// Moves the mass on.
     fn move_on(
         &mut self,
         knobs: &Knobs,
+        damping: f64,
         hand_way: [f64; 2],
         dt: f64,
         stiffness: f64,
-    ) -> [f64; 2] {
-        if dt == 0.0 {
-            return [0.0; 2];
-        }
+    ) {
         let mass = knobs.interaction.pan_mass;
         let friction = mass / knobs.interaction.drift_time;
-        // In a tick that follows a late one closely a hand seems faster than it is.
-        let damping = knobs.pan_damping * (dt / NOMINAL_PERIOD).min(1.0);
-        std::array::from_fn(|axis| {
+        let inertia = mass + dt * (friction + damping) + dt * dt * stiffness;
+        for (axis, way) in hand_way.into_iter().enumerate() {
             let stretch = self.inside[axis] - self.at[axis];
             let momentum = mass * self.velocity[axis];
-            let pushed = momentum + dt * stiffness * stretch + damping * hand_way[axis];
-            let inertia = mass + dt * (friction + damping) + dt * dt * stiffness;
-            let velocity = pushed / inertia;
-            self.velocity[axis] = velocity;
-            self.at[axis] += dt * velocity;
-            damping * (velocity - hand_way[axis] / dt)
-        })
+            self.velocity[axis] = (momentum + dt * stiffness * stretch + damping * way) / inertia;
+            self.at[axis] += dt * self.velocity[axis];
+        }
     }
 
     /// Lays the window so that the point held is where it shall be, as far as the map reaches: beyond
