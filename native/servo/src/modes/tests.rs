@@ -122,5 +122,5 @@ fn the_damper_of_a_pan_is_what_the_device_can_show() {
     let frame = frame(false, 2500.0, 300.0, 0.0);
     assert_eq!(knobs(&frame, 500.0).pan_damping, 0.0, "its spring takes all of it");
     assert!((knobs(&frame, 2500.0).pan_damping - 0.5).abs() < 1e-12);
-    assert!((knobs(&frame, f64::INFINITY).pan_damping - 14.0).abs() < 1e-12);
+    assert!((knobs(&frame, f64::INFINITY).pan_damping - 8.0).abs() < 1e-12);
 }
