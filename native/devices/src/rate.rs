@@ -63,6 +63,11 @@ impl<D: Device> RateDevice<D> {
         Ok(RateDevice { puck, control, workspace, hand, velocity, twist: None, spin: 0.0 })
     }
 
+    /// Where the hand is, metres; [`read`](Device::read) tells it while the puck is seen.
+    pub fn hand(&self) -> [f64; 3] {
+        self.hand
+    }
+
     /// Metres a second for a push of the puck: none in the dead zone, and no step where it ends.
     fn velocity(&self, push: f64) -> f64 {
         let (share, dead) = ((push / self.control.reach).clamp(-1.0, 1.0), self.control.dead_zone);

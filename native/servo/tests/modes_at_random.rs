@@ -6,7 +6,7 @@ mod common;
 use common::handheld::*;
 use common::*;
 use contact::Feature;
-use devices::Pose;
+use devices::{DeviceError, Pose};
 use servo::{Mode, Session, Stage, TickRecord, Window};
 
 /// Changes of mode that are tried, at the least.
@@ -89,6 +89,10 @@ struct Figures {
     force_step: f64,
     /// Of the slew limit of a change, in the ticks of changes.
     step_at_change: f64,
+    /// How fast the force grows, of the slew limit.
+    rise: f64,
+    /// Newtons.
+    largest: f64,
     /// Joules that a drift had beyond what it was let go with.
     energy_gain: f64,
     drift_ticks: u64,
@@ -103,6 +107,9 @@ impl Figures {
         let step = size(std::array::from_fn(|axis| now.force[axis] - before.force[axis]));
         let slew = 8.0 / 0.005 * TICK;
         self.force_step = self.force_step.max(step / slew);
+        let more = size(now.force) - size(before.force);
+        self.rise = self.rise.max(more * TICK / (slew * (now.time - before.time)));
+        self.largest = self.largest.max(size(now.force));
         if now.mode != before.mode {
             self.step_at_change = self.step_at_change.max(step / (0.1 * slew));
         }
@@ -139,7 +146,11 @@ impl Drifting {
     }
 }
 
-fn wander(seed: u64, changes: u64, mut disturb: impl FnMut(&mut Random, &mut Session)) -> Figures {
+fn wander(
+    seed: u64,
+    changes: u64,
+    mut disturb: impl FnMut(&mut Random, &mut Session, &Shared),
+) -> Figures {
     let hills = ground(|column, row| {
         (f64::from(column) * 0.7).sin() * 0.3
             + f64::from((column * 7919 + row * 104_729) % 17) / 40.0
@@ -153,7 +164,7 @@ fn wander(seed: u64, changes: u64, mut disturb: impl FnMut(&mut Random, &mut Ses
     while play.session.statistics().totals.mode_changes < changes {
         for _ in 0..1000 {
             hand.move_on(&mut play.device.lock().pose);
-            disturb(&mut hand.random, &mut play.session);
+            disturb(&mut hand.random, &mut play.session, &play.device);
             play.rest(1);
         }
         for record in play.session.drain() {
@@ -170,7 +181,7 @@ fn wander(seed: u64, changes: u64, mut disturb: impl FnMut(&mut Random, &mut Ses
 
 #[test]
 fn ten_thousand_changes_make_no_step_and_no_energy() {
-    let figures = wander(7, CHANGES, |_, _| {});
+    let figures = wander(7, CHANGES, |_, _, _| {});
     println!(
         "force_step_over_slew_limit_max {}, at a change {} of the slower limit, pan_drift_energy_gain {} J, \
          {} ticks of drift, {} walls, {} zooms, {} turns, {} contacts",
@@ -234,31 +245,59 @@ fn grabs_make_no_step_of_their_own() {
 }
 
 #[test]
-fn windows_models_scripts_and_stalls_in_between_do_no_harm() {
+fn windows_models_scripts_errors_and_stalls_in_between_do_no_harm() {
     let mut disturbances = 0u64;
-    let figures = wander(11, 1000, |random, session| {
-        if random.whole(300) != 0 {
+    let mut lasts = 0;
+    let figures = wander(11, 2000, |random, session, device| {
+        if lasts > 0 {
+            lasts -= 1;
+            if lasts == 0 {
+                let mut script = device.lock();
+                script.error = None;
+                if !script.pose.is_finite() {
+                    script.pose = Pose { twist: Some(0.0), ..Pose::at([0.0, 0.0, 0.02]) };
+                }
+            }
+            return;
+        }
+        if random.whole(400) != 0 {
             return;
         }
         disturbances += 1;
-        match random.whole(6) {
-            0 => session.set_mode(Mode::ALL[random.whole(3) as usize]).unwrap(),
-            1 => session.set_model(proxy_graph()).unwrap(),
-            2 => session.stall(random.whole(8)),
-            3 => session.press().unwrap(),
-            4 => session.release().unwrap(),
+        match random.whole(9) {
+            0 | 1 => session.set_mode(Mode::ALL[random.whole(3) as usize]).unwrap(),
+            2 => session.set_model(proxy_graph()).unwrap(),
+            3 => session.stall(random.whole(200)),
+            4 => session.press().unwrap(),
+            5 => session.release().unwrap(),
+            6 => {
+                lasts = 2;
+                device.lock().error = Some(DeviceError::Timeout("no packet".into()));
+            }
+            7 => {
+                lasts = 1 + random.whole(150);
+                let axis = random.whole(4) as usize;
+                let pose = &mut device.lock().pose;
+                match axis {
+                    3 => pose.twist = Some(f64::NAN),
+                    axis => pose.position[axis] = f64::NAN,
+                }
+            }
             _ => {
                 let window = session.window();
                 let width = random.between(2.0, 100.0);
-                let other = Window::new(window.east(), window.north(), window.up(), width, 1.5);
-                session.set_window(other.unwrap()).unwrap();
+                let up = random.between(-1.0, 1.0);
+                let other = Window::new(random.between(0.0, 64.0), window.north(), up, width, 1.5);
+                let turned = other.unwrap().turned(random.between(-4.0, 4.0));
+                session.set_window(turned.unwrap()).unwrap();
             }
         }
-        session.set_mode(Mode::Normal).unwrap();
     });
-    assert!(disturbances > 100);
-    // Zero force for a window that is laid elsewhere is at once, and is no step: see the judge of faults.
-    assert!(figures.contacts > 1000);
+    assert!(disturbances > 300, "{disturbances}");
+    assert!(figures.contacts > 1000 && figures.drift_ticks > 100);
+    // What is taken away at once is no step; a rise is limited whatever happens.
+    assert!(figures.rise <= 1.0 + 1e-9, "{} of the slew limit", figures.rise);
+    assert!(figures.largest <= 8.0 * (1.0 + 1e-9), "{} N", figures.largest);
 }
 
 /// From a pebble to a planet, at seams, edges and poles, and where the window lies far beside the map.
