@@ -68,7 +68,7 @@ impl Frame {
 
     /// The goal: where on the grid the hand is (workspace metres).
     pub fn goal(&self, hand: [f64; 3]) -> GridPoint {
-        let [east, north] = self.to_compass([hand[0], hand[1]]);
+        let [east, north] = self.compass([hand[0], hand[1]]);
         GridPoint::from_sample(
             self.origin.column,
             self.origin.row,
@@ -109,7 +109,7 @@ impl Frame {
         let window = self.window.moved([0.0; 3], width, turn);
         let metric = metric(&window, self.workspace_width, &self.layout);
         let mut frame = Frame { window, metric, turn: cosine_and_sine(turn), ..*self };
-        let [east, north] = frame.to_compass([at[0], at[1]]);
+        let [east, north] = frame.compass([at[0], at[1]]);
         frame.origin = GridPoint::from_sample(
             point.column,
             point.row,
@@ -133,7 +133,7 @@ impl Frame {
     }
 
     /// Metres east and north for metres right and away.
-    fn to_compass(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+    fn compass(&self, [x, y]: [f64; 2]) -> [f64; 2] {
         let [cosine, sine] = self.turn;
         [x * cosine - y * sine, x * sine + y * cosine]
     }

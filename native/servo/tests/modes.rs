@@ -438,6 +438,22 @@ fn zooming_never_puts_the_hand_into_the_ground() {
 }
 
 #[test]
+fn a_hand_that_is_nowhere_near_takes_no_window_away() {
+    let mut play = Play::new();
+    play.button(true);
+    for far in [[0.0, 0.0, -1e300], [0.0, 0.0, 1e300], [f64::MAX, -f64::MAX, 0.0]] {
+        play.device.lock().pose.position = far;
+        play.rest(3);
+        play.device.lock().pose.position = [0.0, 0.0, 0.02];
+        play.rest(3);
+        let state = play.session.state();
+        assert!((state.window.width() - 16.0).abs() < 1e-9);
+        assert!(state.window.up().abs() < 10.0, "{:?}", state.window);
+        assert!((state.goal[0] - 32.0).abs() < 1e-9 && (state.goal[1] + 32.0).abs() < 1e-9);
+    }
+}
+
+#[test]
 fn ground_out_of_reach_comes_nearer_when_zoomed_out() {
     let far = Window::new(32.0, -32.0, 100.0, 16.0, 1.0).unwrap();
     let mut play = Play::on(flat_ground(), far, settings());

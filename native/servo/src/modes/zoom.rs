@@ -90,7 +90,9 @@ impl Zoom {
         let pitch = knobs.interaction.zoom_travel;
         let wanted = self.level - (z - self.began_at) / pitch;
         let level = wanted.clamp(self.levels[0], self.levels[1]);
-        self.height = self.height.min(z - self.clearance);
+        // No hand is believed to have gone below the workspace.
+        let reached = z.max(-knobs.half_height);
+        self.height = self.height.min(reached - self.clearance);
         self.turn_with(hand);
         let width = knobs.whole_map * level.exp2();
         if let Some(pinned) = frame.pinned(&self.held, [x, y, self.height], width, self.turn) {
