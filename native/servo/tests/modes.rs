@@ -587,6 +587,24 @@ fn missed_ticks_move_a_drifting_surface_as_far_as_ticks_do() {
 }
 
 #[test]
+fn a_drifting_surface_makes_good_what_it_did_not_see() {
+    let made = |lost: bool| {
+        let mut play = thrown();
+        play.go([0.03, 0.0, 0.03], 20);
+        let before = play.session.window().east();
+        if lost {
+            play.device.lock().error = Some(DeviceError::Timeout("no packet".into()));
+        }
+        play.rest(2);
+        play.device.lock().error = None;
+        play.rest(100);
+        before - play.session.window().east()
+    };
+    let (whole, lost) = (made(false), made(true));
+    assert!((whole - lost).abs() < 1e-9 * whole, "{lost} of {whole}");
+}
+
+#[test]
 fn a_long_stall_in_a_mode_ends_it_without_a_force() {
     for in_contact in [true, false] {
         let mut play = if in_contact { Play::touching() } else { Play::new() };
@@ -613,6 +631,17 @@ fn the_map_ends_where_the_window_is_pushed_to_its_edge() {
     assert!(window.east().abs() < 1e-9 && (window.north() + 32.0).abs() < 1e-9, "{window:?}");
     let force = play.force();
     assert!(force[0] < -7.0, "it holds like a wall: {force:?}");
+    // The north pole, and the south.
+    for (north, y, end) in [(-2.0, -0.05, 0.0), (-61.0, 0.05, -63.0)] {
+        let near = Window::new(32.0, north, 0.0, 16.0, 1.0).unwrap();
+        let mut play = Play::on(flat_ground(), near, settings());
+        play.go([0.0, 0.0, -0.005], 100);
+        play.button(true);
+        play.go([0.0, y, -0.005], 300);
+        play.rest(RAMPED);
+        let found = play.session.window().north();
+        assert!((found - end).abs() < 1e-9, "{found}");
+    }
     // In the middle of a window that lies beside the map it does not jump.
     let beside = Window::new(-5.0, 3.0, 0.0, 16.0, 1.0).unwrap();
     let mut play = Play::on(flat_ground(), beside, settings());
