@@ -72,7 +72,12 @@ def _keep_exaggeration(touch: Touch, placement: Placement) -> None:
     if not math.isclose(window.exaggeration, placement.exaggeration, rel_tol=1e-4):
         touch.session.set_window(
             Window(
-                window.east, window.north, window.up, width=window.width, exaggeration=placement.exaggeration
+                window.east,
+                window.north,
+                window.up,
+                width=window.width,
+                exaggeration=placement.exaggeration,
+                turn=window.turn,
             )
         )
 

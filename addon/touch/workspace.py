@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from proxygraph import GridLayout, Window
 
 from ..terrain.frame import Point, map_centre, map_size
@@ -28,8 +30,10 @@ def to_workspace(place: Point, window: Window, width: float) -> Point:
     """
     east, north, up = place
     scale = width / window.width
+    eastward, northward = (east - window.east) * scale, (north - window.north) * scale
+    cosine, sine = math.cos(window.turn), math.sin(window.turn)
     return (
-        (east - window.east) * scale,
-        (north - window.north) * scale,
+        eastward * cosine + northward * sine,
+        northward * cosine - eastward * sine,
         (up - window.up) * scale * window.exaggeration,
     )

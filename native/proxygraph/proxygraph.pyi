@@ -28,6 +28,7 @@ def model_descriptions() -> dict[str, str]:
 SampleType = Literal["i16", "u16", "i32", "f32", "f64"]
 ByteOrder = Literal["big", "little"]
 Feature = Literal["free", "face", "edge", "vertex"]
+Mode = Literal["normal", "pan", "zoom"]
 Held = Literal["host", "late", "speed", "device", "not_finite", "below"]
 """Why there is no force, or not yet all of it: ``host``, nobody looked at the session for ``stale_after``; ``late``,
 ticks were missed; ``speed``, the hand was faster than ``max_speed``; ``device``, the device failed and was forgiven;
@@ -593,10 +594,25 @@ class ScriptedDevice:
 
     Times must rise. Before the first and after the last point the hand stays there.
     The force is taken and shown, and changes nothing.
+
+    Args:
+        workspace: width, depth and height that the hand can reach, metres.
+        handle: (seconds, radians, buttons): how far the handle is turned about the vertical, counter-clockwise
+            seen from above and evenly from point to point, and which buttons are down from then on, a bit each
+            (1 is the stylus button; before the first point none is). Left out, there is no handle.
+        by_velocity: x, y and z push a puck that springs back, from -1 to 1, as a SpaceMouse has; the hand moves
+            with up to 0.08 m/s, stays in the workspace, and gives way to the force by 0.2 m/s for a newton. It
+            begins in the middle, at the upper end of the workspace. Radians twist the puck: the handle turns by
+            3 rad/s for each.
     """
 
     def __init__(
-        self, path: Sequence[tuple[float, float, float, float]], *, workspace: Vector = (0.16, 0.12, 0.12)
+        self,
+        path: Sequence[tuple[float, float, float, float]],
+        *,
+        workspace: Vector = (0.16, 0.12, 0.12),
+        handle: Sequence[tuple[float, float, int]] = (),
+        by_velocity: bool = False,
     ) -> None: ...
     @property
     def workspace(self) -> Vector:
@@ -634,10 +650,20 @@ class Window:
         up: elevation in metres at the workspace's z = 0.
         width: metres of terrain across the width of the device's workspace; positive.
         exaggeration: of heights, the same for eye and hand; positive.
+        turn: radians from east to the workspace's x, counter-clockwise seen from above. A hand at (x, y) is
+            over ``east + s (x cos(turn) - y sin(turn))``, ``north + s (x sin(turn) + y cos(turn))``, where ``s``
+            is ``width`` over the workspace's width.
     """
 
     def __init__(
-        self, east: float, north: float, up: float, *, width: float, exaggeration: float = 1.0
+        self,
+        east: float,
+        north: float,
+        up: float,
+        *,
+        width: float,
+        exaggeration: float = 1.0,
+        turn: float = 0.0,
     ) -> None: ...
     @property
     def east(self) -> float: ...
@@ -649,6 +675,8 @@ class Window:
     def width(self) -> float: ...
     @property
     def exaggeration(self) -> float: ...
+    @property
+    def turn(self) -> float: ...
 
 @final
 class State:
@@ -673,7 +701,8 @@ class State:
     def proxy(self) -> Vector:
         """Terrain frame; of ``virtual_proxy`` the sphere's centre, which lies above the ground."""
     @property
-    def feature(self) -> Feature: ...
+    def feature(self) -> Feature:
+        """What the proxy lies on; in pan mode, what the point that is held lies on."""
     @property
     def in_contact(self) -> bool: ...
     @property
@@ -683,7 +712,11 @@ class State:
     def held(self) -> Held | None:
         """Why the force is away, or not yet wholly back; ``None`` where nothing holds it."""
     @property
-    def mode(self) -> Literal["normal"]: ...
+    def mode(self) -> Mode:
+        """What the hand's motion does: touch the surface, push it along, or bring it nearer and turn it."""
+    @property
+    def window(self) -> Window:
+        """Where the workspace lies: pan and zoom move it, and momentum after a pan."""
     @property
     def model(self) -> str:
         """The contact model in charge, one of ``MODELS``."""
@@ -747,6 +780,8 @@ class Statistics:
     def active_ticks(self) -> int:
         """Ticks in which the spring had given the hand more energy than it took (passivity observer)."""
     @property
+    def mode_changes(self) -> int: ...
+    @property
     def dropped(self) -> int:
         """Ticks that found the ring full; they are lost to recordings."""
     @property
@@ -771,8 +806,9 @@ class Ticks:
 
     columns: tuple[str, ...]
     """``tick time hand_x hand_y hand_z goal_east goal_north goal_up proxy_east proxy_north proxy_up
-    force_x force_y force_z feature vertices faces collision_tests cells`` (feature: 0 free, 1 face, 2 edge,
-    3 vertex)."""
+    force_x force_y force_z feature vertices faces collision_tests cells mode window_east window_north window_up
+    window_width window_exaggeration window_turn`` (feature: 0 free, 1 face, 2 edge, 3 vertex; mode: 0 normal,
+    1 pan, 2 zoom)."""
     def __len__(self) -> int: ...
     def column(self, name: str) -> memoryview:
         """One value a tick, format ``d``. Raises KeyError for an unknown name."""
@@ -783,10 +819,16 @@ class Session:
 
     Forces: a spring from the hand to the proxy, behind a chain of safety stages. The force is never above
     ``max_force``; it rises from nothing in 50 ms when touch begins, and changes by no more than ``max_slew``;
-    after a switch of models by no more than ``max_force`` in 50 ms until it is what the new model wants. It is
+    after a switch of models or modes by no more than ``max_force`` in 50 ms until it is what is wanted then. It is
     zero while something is wrong (see ``State.held``), and comes back over as long as it was away, 50 ms to half
     a second. Zero force is the last thing that the device gets, however the session ends; dropping the object
     stops the thread too.
+
+    Modes, where ``modes`` is true (the terrain never moves, the window does): the stylus button pressed in contact
+    grabs the surface and pans it, held at its height, with inertia; let go in motion it drifts on, until friction, a
+    wall or what it does to the hand has taken its momentum. Pressed in the air it holds the hand in its place and
+    zooms with its height, with detents where the window is a power of 2 of the whole map's width, and turns the
+    surface with the handle about the cursor. A button that is down while touch begins does nothing until it was up.
 
     Args:
         grid: what is touched. device: is taken over; a device serves one session.
@@ -800,6 +842,13 @@ class Session:
             called for longer than this. For programs that draw what is felt, and may stall; ``None``, for scripts
             that start a session and sleep, never waits for anyone. Steps wait for nobody either.
         real_time: whether a live session asks the system for real-time priority; see ``priority``.
+        walls: whether four walls keep the hand in the middle 90% of the workspace's width and depth. For whoever
+            holds a device; a script's hand goes where the script wants.
+        modes: whether the stylus button changes the mode. For whoever holds a device.
+        pan_mass: of the surface in pan mode, kg. drift_time: seconds in which friction takes a drifting surface to
+            1/e of its speed. zoom_travel: metres up that halve the window's width. detent_force: the largest, N.
+        zoom_widths: the narrowest and the widest window that zoom leads to, metres of terrain; ``None`` is 4 cells
+            and twice the whole map.
         model, step_budget, sub_step: see ContactModel.
         radius: of ``virtual_proxy`` only: of its sphere, workspace metres; ``None`` is 1 mm (a ContactModel alone
             knows no hand, and takes half a cell).
@@ -822,6 +871,13 @@ class Session:
         max_speed: float | None = None,
         stale_after: float | None = None,
         real_time: bool = True,
+        walls: bool = False,
+        modes: bool = False,
+        pan_mass: float = 0.2,
+        drift_time: float = 0.5,
+        zoom_travel: float = 0.02,
+        detent_force: float = 0.4,
+        zoom_widths: tuple[float, float] | None = None,
         model: str = "surface_walk",
         step_budget: int | None = None,
         sub_step: float | None = None,
@@ -877,11 +933,33 @@ class Session:
     def heartbeat(self) -> None:
         """Whoever must look at a live session is still there; ``state`` says so too. See ``stale_after``."""
     @property
-    def window(self) -> Window: ...
+    def window(self) -> Window:
+        """Where pan and zoom have moved the workspace, or where ``set_window`` will have it."""
     def set_window(self, window: Window) -> None:
-        """Lay the workspace elsewhere from the next tick on; the proxy begins anew at the hand.
+        """Lay the workspace elsewhere from the next tick on.
 
-        Where that is under the ground there is no force until the hand has been above (``State.held`` is ``below``).
+        The proxy begins anew at the hand, in normal mode, over a surface at rest. Where that is under the ground
+        there is no force until the hand has been above (``State.held`` is ``below``).
+        """
+    def press(self) -> None:
+        """Press the stylus button, as a key does for every device; it stays down until ``release``.
+
+        This, ``release`` and ``set_mode`` raise SessionError where the session has no ``modes``, or too many commands
+        wait already.
+        """
+    def release(self) -> None:
+        """Release what ``press`` pressed."""
+    def set_mode(self, mode: Mode) -> None:
+        """Change the mode from the next tick on, whatever the button says.
+
+        It stays until ``normal`` is asked for, or touch begins anew. Pan in the air holds the point at the hand.
+
+        Raises ValueError for another name.
+        """
+    def set_twist(self, radians: float) -> None:
+        """Turn the simulated handle about the vertical, counter-clockwise seen from above; others ignore it.
+
+        Raises ValueError for a number that is not finite.
         """
     @property
     def model(self) -> str:

@@ -437,3 +437,24 @@ def test_hand_and_goal_agree_with_the_window(terrain: bpy.types.Object) -> None:
         step(touch, 200)
         state = touch.session.state()
         assert to_workspace(state.goal, touch.session.window, 0.16) == pytest.approx(state.hand, abs=1e-9)
+
+
+def test_hand_and_goal_agree_with_a_turned_window(terrain: bpy.types.Object) -> None:
+    touch = start(device=sweep())
+    to_workspace = module("touch.workspace").to_workspace
+    straight = touch.session.window
+    touch.session.set_window(
+        Window(
+            straight.east,
+            straight.north,
+            straight.up,
+            width=straight.width,
+            exaggeration=straight.exaggeration,
+            turn=0.7,
+        )
+    )
+    for _ in range(5):
+        step(touch, 200)
+        state = touch.session.state()
+        assert touch.session.window.turn == 0.7
+        assert to_workspace(state.goal, touch.session.window, 0.16) == pytest.approx(state.hand, abs=1e-9)

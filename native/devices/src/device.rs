@@ -12,19 +12,23 @@ pub const NOMINAL_PERIOD: f64 = 0.001;
 pub struct Pose {
     /// Metres.
     pub position: [f64; 3],
-    /// Which buttons are down, a bit each.
+    /// Which buttons are down, a bit each; the first is the stylus button.
     pub buttons: u32,
+    /// How far the handle is turned about the vertical, radians, counter-clockwise seen from above;
+    /// any number of full turns may be in it. `None` where the device does not tell.
+    pub twist: Option<f64>,
 }
 
 impl Pose {
-    /// A hand there, with no button down.
+    /// A hand there, with no button down, on a handle that cannot be turned.
     pub fn at(position: [f64; 3]) -> Pose {
-        Pose { position, buttons: 0 }
+        Pose { position, buttons: 0, twist: None }
     }
 
     /// Whether every number in it is finite.
     pub fn is_finite(&self) -> bool {
-        self.position.iter().all(|coordinate| coordinate.is_finite())
+        let numbers = self.position.iter().chain(&self.twist);
+        numbers.into_iter().all(|number| number.is_finite())
     }
 }
 
@@ -131,4 +135,7 @@ pub trait Device: Send {
 
     /// Where a simulated hand shall go (workspace metres). Real hands go where they want.
     fn set_target(&mut self, _target: [f64; 3]) {}
+
+    /// How far a simulated handle shall be turned about the vertical, radians. Real hands turn it.
+    fn set_twist(&mut self, _radians: f64) {}
 }

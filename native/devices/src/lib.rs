@@ -9,6 +9,7 @@ mod device;
 mod grip;
 mod mechanism;
 mod motion;
+mod rate;
 mod scripted;
 mod simulated;
 
@@ -16,5 +17,6 @@ pub use check::ParameterError;
 pub use device::{Capabilities, Device, DeviceError, Force, NOMINAL_PERIOD, Pose};
 pub use grip::Grip;
 pub use mechanism::{LONGEST_DELAY, Mechanism};
-pub use scripted::{PathError, PathPoint, ScriptedDevice};
+pub use rate::{RateControl, RateDevice};
+pub use scripted::{HandlePoint, PathError, PathPoint, ScriptedDevice};
 pub use simulated::{Hand, SimulatedDevice};

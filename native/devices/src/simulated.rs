@@ -51,6 +51,8 @@ pub struct SimulatedDevice {
     target: [f64; 3],
     position: [f64; 3],
     velocity: [f64; 3],
+    /// Radians; `None` until somebody turns the handle.
+    twist: Option<f64>,
 }
 
 impl SimulatedDevice {
@@ -80,6 +82,7 @@ impl SimulatedDevice {
             target: hand.target,
             position: hand.target,
             velocity: [0.0; 3],
+            twist: None,
         };
         device.empty_line(Force::ZERO);
         Ok(device)
@@ -159,7 +162,8 @@ impl Device for SimulatedDevice {
     }
 
     fn read(&mut self, _time: f64) -> Result<Pose, DeviceError> {
-        Ok(Pose::at(self.position.map(|metres| self.mechanism.counted(metres))))
+        let position = self.position.map(|metres| self.mechanism.counted(metres));
+        Ok(Pose { twist: self.twist, ..Pose::at(position) })
     }
 
     fn write(&mut self, force: Force, dt: f64) -> Result<(), DeviceError> {
@@ -177,6 +181,12 @@ impl Device for SimulatedDevice {
     fn set_target(&mut self, target: [f64; 3]) {
         if target.iter().all(|metres| metres.is_finite()) {
             self.target = target;
+        }
+    }
+
+    fn set_twist(&mut self, radians: f64) {
+        if radians.is_finite() {
+            self.twist = Some(radians);
         }
     }
 }

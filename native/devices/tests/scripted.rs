@@ -1,6 +1,6 @@
 //! The scripted device is where its path says, however time moves.
 
-use devices::{Device, Force, PathError, PathPoint, ScriptedDevice};
+use devices::{Device, Force, HandlePoint, PathError, PathPoint, ScriptedDevice};
 use proptest::prelude::*;
 
 const WORKSPACE: [f64; 3] = [0.16, 0.12, 0.12];
@@ -98,4 +98,36 @@ proptest! {
         let rounding = f64::EPSILON * from.abs().max(to.abs());
         prop_assert!(x >= from.min(to) - rounding && x <= from.max(to) + rounding);
     }
+}
+
+#[test]
+fn the_handle_turns_evenly_and_buttons_are_as_they_were_pressed_last() {
+    let device = ScriptedDevice::new(vec![(0.0, 1.0, 2.0, 3.0).into()], WORKSPACE).unwrap();
+    assert_eq!(device.clone().read(0.5).unwrap().twist, None, "it has no handle");
+    let handle = [(0.1, 0.0, 1), (0.2, 2.0, 0), (0.3, -1.0, 5)].map(HandlePoint::from);
+    let mut device = device.with_handle(handle.to_vec()).unwrap();
+    for (time, twist, buttons) in [
+        (0.0, 0.0, 0),
+        (0.1, 0.0, 1),
+        (0.15, 1.0, 1),
+        (0.25, 0.5, 0),
+        (9.0, -1.0, 5),
+        (0.05, 0.0, 0),
+    ] {
+        let pose = device.read(time).unwrap();
+        let turned = pose.twist.unwrap();
+        assert!((turned - twist).abs() < 1e-12 && pose.buttons == buttons, "{pose:?} at {time}");
+        assert_eq!(pose.position, [1.0, 2.0, 3.0]);
+    }
+}
+
+#[test]
+fn handles_that_cannot_be_turned_are_refused() {
+    let device = ScriptedDevice::new(vec![(0.0, 0.0, 0.0, 0.0).into()], WORKSPACE).unwrap();
+    let with = |handle: &[(f64, f64, u32)]| {
+        device.clone().with_handle(handle.iter().copied().map(HandlePoint::from).collect())
+    };
+    assert_eq!(with(&[(0.0, f64::NAN, 0)]).unwrap_err(), PathError::NotFinite { index: 0 });
+    let falls = with(&[(0.2, 0.0, 0), (0.1, 0.0, 0)]).unwrap_err();
+    assert_eq!(falls, PathError::NotRising { index: 1, time: 0.1, previous: 0.2 });
 }

@@ -1,7 +1,7 @@
 //! Devices as Python sees them: made here, then taken over by one session.
 
 use crate::errors::{session_error, value_error};
-use devices::{Device, Hand, PathPoint};
+use devices::{Device, Hand, HandlePoint, PathPoint, RateControl, RateDevice};
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use std::sync::Mutex;
@@ -37,12 +37,24 @@ pub struct ScriptedDevice {
 #[pymethods]
 impl ScriptedDevice {
     #[new]
-    #[pyo3(signature = (path, *, workspace=(0.16, 0.12, 0.12)),
-        text_signature = "(path, *, workspace=(0.16, 0.12, 0.12))")]
-    fn new(path: Vec<(f64, f64, f64, f64)>, workspace: Point) -> PyResult<Self> {
+    #[pyo3(signature = (path, *, workspace=(0.16, 0.12, 0.12), handle=Vec::new(), by_velocity=false),
+        text_signature = "(path, *, workspace=(0.16, 0.12, 0.12), handle=(), by_velocity=False)")]
+    fn new(
+        path: Vec<(f64, f64, f64, f64)>,
+        workspace: Point,
+        handle: Vec<(f64, f64, u32)>,
+        by_velocity: bool,
+    ) -> PyResult<Self> {
         let path = path.into_iter().map(PathPoint::from).collect();
-        let device = devices::ScriptedDevice::new(path, workspace.into()).map_err(value_error)?;
-        Ok(Self { waiting: Waiting::new(device) })
+        let handle = handle.into_iter().map(HandlePoint::from).collect();
+        let device = devices::ScriptedDevice::new(path, workspace.into())
+            .and_then(|device| device.with_handle(handle))
+            .map_err(value_error)?;
+        if !by_velocity {
+            return Ok(Self { waiting: Waiting::new(device) });
+        }
+        let device = RateDevice::new(device, RateControl::default(), workspace.into());
+        Ok(Self { waiting: Waiting::new(device.map_err(value_error)?) })
     }
 
     #[getter]

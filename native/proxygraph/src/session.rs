@@ -9,7 +9,7 @@ use crate::state::{State, Statistics};
 use crate::ticks::Ticks;
 use pyo3::prelude::*;
 use pyo3::sync::MutexExt;
-use servo::{Frame, Settings};
+use servo::{Frame, Interaction, Mode, Settings};
 use std::sync::{Mutex, MutexGuard};
 
 /// After so many ticks a person's Ctrl-C is looked for; some milliseconds.
@@ -21,13 +21,27 @@ pub struct Window {
     window: servo::Window,
 }
 
+impl Window {
+    pub fn of(window: servo::Window) -> Self {
+        Self { window }
+    }
+}
+
 #[pymethods]
 impl Window {
     #[new]
-    #[pyo3(signature = (east, north, up, *, width, exaggeration=1.0))]
-    fn new(east: f64, north: f64, up: f64, width: f64, exaggeration: f64) -> PyResult<Self> {
+    #[pyo3(signature = (east, north, up, *, width, exaggeration=1.0, turn=0.0))]
+    fn new(
+        east: f64,
+        north: f64,
+        up: f64,
+        width: f64,
+        exaggeration: f64,
+        turn: f64,
+    ) -> PyResult<Self> {
         let window = servo::Window::new(east, north, up, width, exaggeration);
-        Ok(Self { window: window.map_err(value_error)? })
+        let turned = window.and_then(|window| window.turned(turn));
+        Ok(Self { window: turned.map_err(value_error)? })
     }
 
     #[getter]
@@ -55,10 +69,17 @@ impl Window {
         self.window.exaggeration()
     }
 
+    #[getter]
+    fn turn(&self) -> f64 {
+        self.window.turn()
+    }
+
     fn __repr__(&self) -> String {
         let (east, north, up) = (self.east(), self.north(), self.up());
-        let (width, exaggeration) = (self.width(), self.exaggeration());
-        format!("Window({east}, {north}, {up}, width={width}, exaggeration={exaggeration})")
+        let (width, exaggeration, turn) = (self.width(), self.exaggeration(), self.turn());
+        format!(
+            "Window({east}, {north}, {up}, width={width}, exaggeration={exaggeration}, turn={turn})"
+        )
     }
 }
 
@@ -92,10 +113,12 @@ impl Session {
     #[new]
     #[pyo3(signature = (grid, device, window, *, stiffness=500.0, max_force=8.0, ring_seconds=60.0,
         max_slew=None, max_speed=None, stale_after=None, real_time=true,
-        model=DEFAULT, step_budget=None, sub_step=None, radius=None),
+        walls=false, modes=false, pan_mass=0.2, drift_time=0.5, zoom_travel=0.02, detent_force=0.4,
+        zoom_widths=None, model=DEFAULT, step_budget=None, sub_step=None, radius=None),
         text_signature = "(grid, device, window, *, stiffness=500.0, max_force=8.0, \
         ring_seconds=60.0, max_slew=None, max_speed=None, stale_after=None, \
-        real_time=True, model='surface_walk', step_budget=None, sub_step=None, radius=None)")]
+        real_time=True, walls=False, modes=False, pan_mass=0.2, drift_time=0.5, zoom_travel=0.02, \
+        detent_force=0.4, zoom_widths=None, model='surface_walk', step_budget=None, sub_step=None, radius=None)")]
     #[expect(clippy::too_many_arguments, reason = "Python's keywords")]
     fn new(
         grid: &Grid,
@@ -108,6 +131,13 @@ impl Session {
         max_speed: Option<f64>,
         stale_after: Option<f64>,
         real_time: bool,
+        walls: bool,
+        modes: bool,
+        pan_mass: f64,
+        drift_time: f64,
+        zoom_travel: f64,
+        detent_force: f64,
+        zoom_widths: Option<(f64, f64)>,
         model: &str,
         step_budget: Option<Whole>,
         sub_step: Option<f64>,
@@ -116,6 +146,13 @@ impl Session {
         let knobs = Knobs { step_budget, sub_step, radius };
         let choice = Choice::new(model, &knobs, RADIUS_IN_HAND)?;
         let (grid, window) = (grid.shared(), window.window);
+        let interaction = Interaction {
+            pan_mass,
+            drift_time,
+            zoom_travel,
+            detent_force,
+            zoom_widths: zoom_widths.map(|(narrowest, widest)| [narrowest, widest]),
+        };
         let settings = Settings {
             stiffness,
             max_force,
@@ -124,7 +161,11 @@ impl Session {
             max_speed: max_speed.unwrap_or(f64::INFINITY),
             stale_after,
             real_time,
+            walls,
+            interaction: modes.then_some(interaction),
         };
+        // Also where there are no modes: a wrong number is told when it is given.
+        interaction.validate().map_err(value_error)?;
         // Everything that can be refused is refused before the device is taken.
         settings.validate().map_err(value_error)?;
         Frame::new(window, device.workspace_width(), grid.layout()).map_err(value_error)?;
@@ -204,7 +245,7 @@ impl Session {
 
     #[getter]
     fn window(&self, py: Python<'_>) -> Window {
-        Window { window: self.lock(py).window() }
+        Window::of(self.lock(py).window())
     }
 
     fn set_window(&self, py: Python<'_>, window: &Window) -> PyResult<()> {
@@ -232,6 +273,26 @@ impl Session {
 
     fn set_passivity_control(&self, py: Python<'_>, controls: bool) -> PyResult<()> {
         self.lock(py).set_passivity_control(controls).map_err(session_refusal)
+    }
+
+    fn press(&self, py: Python<'_>) -> PyResult<()> {
+        self.lock(py).press().map_err(session_refusal)
+    }
+
+    fn release(&self, py: Python<'_>) -> PyResult<()> {
+        self.lock(py).release().map_err(session_refusal)
+    }
+
+    fn set_mode(&self, py: Python<'_>, mode: &str) -> PyResult<()> {
+        let named = Mode::ALL.into_iter().find(|known| known.name() == mode);
+        let Some(named) = named else {
+            return Err(value_error(format!("mode is '{mode}'; expected normal, pan or zoom")));
+        };
+        self.lock(py).set_mode(named).map_err(session_refusal)
+    }
+
+    fn set_twist(&self, py: Python<'_>, radians: f64) -> PyResult<()> {
+        self.lock(py).set_twist(radians).map_err(session_refusal)
     }
 
     fn set_target(&self, py: Python<'_>, x: f64, y: f64, z: f64) -> PyResult<()> {

@@ -2,6 +2,7 @@
 
 use crate::errors::value_error;
 use crate::model::feature_name;
+use crate::session::Window;
 use pyo3::prelude::*;
 
 type Vector = (f64, f64, f64);
@@ -73,6 +74,11 @@ impl State {
     #[getter]
     fn mode(&self) -> &'static str {
         self.state.mode.name()
+    }
+
+    #[getter]
+    fn window(&self) -> Window {
+        Window::of(self.state.window)
     }
 }
 
@@ -193,6 +199,11 @@ impl Statistics {
     #[getter]
     fn active_ticks(&self) -> u64 {
         self.statistics.totals.active_ticks
+    }
+
+    #[getter]
+    fn mode_changes(&self) -> u64 {
+        self.statistics.totals.mode_changes
     }
 
     #[getter]

@@ -5,12 +5,12 @@ use contact::Feature;
 use pyo3::exceptions::PyKeyError;
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
-use servo::TickRecord;
+use servo::{Mode, TickRecord};
 
 /// A column's name and how its value is read from a tick.
 type Column = (&'static str, fn(&TickRecord) -> f64);
 
-const COLUMNS: [Column; 19] = [
+const COLUMNS: [Column; 26] = [
     ("tick", |tick| tick.tick as f64),
     ("time", |tick| tick.time),
     ("hand_x", |tick| tick.hand[0]),
@@ -30,6 +30,13 @@ const COLUMNS: [Column; 19] = [
     ("faces", |tick| f64::from(tick.faces)),
     ("collision_tests", |tick| f64::from(tick.collision_tests)),
     ("cells", |tick| f64::from(tick.cells)),
+    ("mode", |tick| mode_number(tick.mode)),
+    ("window_east", |tick| tick.window.east()),
+    ("window_north", |tick| tick.window.north()),
+    ("window_up", |tick| tick.window.up()),
+    ("window_width", |tick| tick.window.width()),
+    ("window_exaggeration", |tick| tick.window.exaggeration()),
+    ("window_turn", |tick| tick.window.turn()),
 ];
 
 /// Every tick since the last drain.
@@ -71,5 +78,13 @@ fn feature_number(feature: Feature) -> f64 {
         Feature::Face => 1.0,
         Feature::Edge => 2.0,
         Feature::Vertex => 3.0,
+    }
+}
+
+fn mode_number(mode: Mode) -> f64 {
+    match mode {
+        Mode::Normal => 0.0,
+        Mode::Pan => 1.0,
+        Mode::Zoom => 2.0,
     }
 }

@@ -28,6 +28,8 @@ pub(crate) const RETIRED: usize = COMMANDS;
 pub(crate) struct Snapshot {
     pub(crate) state: State,
     pub(crate) totals: Totals,
+    /// How many of the windows that were asked for have been laid.
+    pub(crate) windows: u64,
 }
 
 /// The ends of the queues that belong to the loop.
@@ -51,11 +53,12 @@ pub(crate) struct Engine {
     time_at_tick: f64,
     missed: u64,
     dropped: u64,
+    windows: u64,
 }
 
 impl Engine {
     pub(crate) fn new(servo: Servo, ports: Ports) -> Engine {
-        Engine { servo, ports, periods: 0, time_at_tick: 0.0, missed: 0, dropped: 0 }
+        Engine { servo, ports, periods: 0, time_at_tick: 0.0, missed: 0, dropped: 0, windows: 0 }
     }
 
     /// Seconds that the session has run, to the last deadline.
@@ -142,7 +145,13 @@ impl Engine {
     /// Does one thing. There must be room to retire a model.
     pub(crate) fn apply(&mut self, command: Command) {
         match command {
-            Command::Window(frame) => self.servo.set_frame(frame),
+            Command::Window { frame, number } => {
+                self.servo.set_frame(frame);
+                self.windows = number;
+            }
+            Command::Press(is_down) => self.servo.press(is_down),
+            Command::Mode(mode) => self.servo.set_mode(mode),
+            Command::Twist(radians) => self.servo.set_twist(radians),
             Command::Target(target) => self.servo.set_target(target),
             Command::PassivityControl(controls) => self.servo.set_passivity_control(controls),
             Command::Model(model) => {
@@ -177,7 +186,7 @@ impl Engine {
         let totals =
             Totals { missed_ticks: self.missed, dropped: self.dropped, ..self.servo.totals() };
         let state = State::new(self.servo.latest(), self.servo.model(), self.servo.held());
-        self.ports.snapshots.write(Snapshot { state, totals });
+        self.ports.snapshots.write(Snapshot { state, totals, windows: self.windows });
     }
 
     pub(crate) fn fault(&self) -> Option<&Fault> {
@@ -242,7 +251,7 @@ mod tests {
             commands: commands_taken,
             retired: retired_given,
             records: RingBuffer::new(8).0,
-            snapshots: triple_buffer(&Snapshot { state, totals: Totals::default() }).0,
+            snapshots: triple_buffer(&Snapshot { state, totals: Totals::default(), windows: 0 }).0,
             update_times: Arc::new(Histogram::new()),
             lateness: Arc::new(Histogram::new()),
             busy_times: Arc::new(Histogram::new()),

@@ -19,6 +19,7 @@ mod histogram;
 mod live;
 mod memory;
 mod mix;
+mod modes;
 mod passivity;
 mod priority;
 mod record;
@@ -34,6 +35,7 @@ pub use fault::Fault;
 pub use frame::Frame;
 pub use histogram::{Distribution, Histogram};
 pub use memory::LockedMemory;
+pub use modes::Interaction;
 pub use priority::Priority;
 pub use record::TickRecord;
 #[cfg(feature = "test-hooks")]

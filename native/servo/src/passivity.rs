@@ -78,6 +78,10 @@ pub(crate) struct Passivity {
     /// Ticks and seconds since the spring pushed.
     quiet_ticks: usize,
     quiet_seconds: f64,
+    /// Joules that are kept beside the spring, as in a moving mass.
+    kept: f64,
+    /// Joules that something else pays in this tick.
+    paid: f64,
     /// Ticks in which the account was negative.
     active_ticks: u64,
 }
@@ -99,6 +103,8 @@ impl Passivity {
             turnover: 0.0,
             quiet_ticks: 0,
             quiet_seconds: 0.0,
+            kept: 0.0,
+            paid: 0.0,
             active_ticks: 0,
         }
     }
@@ -127,6 +133,13 @@ impl Passivity {
         self.hand = None;
         self.energy = 0.0;
         self.turnover = 0.0;
+        (self.kept, self.paid) = (0.0, 0.0);
+    }
+
+    /// What else may give energy in the tick to come: joules that are kept beside the spring, and
+    /// joules that are paid by what drives it.
+    pub(crate) fn expect(&mut self, kept: f64, paid: f64) {
+        (self.kept, self.paid) = (kept, paid);
     }
 
     /// Keeps the account of one tick. Gives the force to send: as it is wanted, or with damping where
@@ -199,7 +212,7 @@ impl Passivity {
         let taken = if counts { self.damping * dot(step, step) / dt } else { 0.0 };
         self.taken[..=self.delay].rotate_right(1);
         self.taken[0] = taken;
-        self.energy += taken - work;
+        self.energy += taken - work + std::mem::take(&mut self.paid);
         self.turnover += taken.min(work.abs()) + work.abs();
         work > taken
     }
@@ -210,7 +223,7 @@ impl Passivity {
     /// spring was felt than this one: its account begins anew.
     fn square(&mut self, coupling: &Coupling) {
         let under_way: f64 = self.taken[..self.delay].iter().sum();
-        let most = stored(coupling) + under_way;
+        let most = stored(coupling) + self.kept + under_way;
         self.energy = self.energy.min(most);
         if self.disturbed_ticks > 0 {
             self.disturbed_ticks -= 1;

@@ -2,6 +2,8 @@
 
 use contact::Feature;
 
+use crate::{Mode, Window};
+
 /// One tick. Every tick goes into the ring that [`Session::drain`](crate::Session::drain) empties.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TickRecord {
@@ -17,7 +19,7 @@ pub struct TickRecord {
     pub proxy: [f64; 3],
     /// Newtons, workspace frame, as sent to the device.
     pub force: [f64; 3],
-    /// What the proxy lies on.
+    /// What the proxy lies on; in pan mode, what the point that is held lies on.
     pub feature: Feature,
     /// Vertices visited by constrained minimisation.
     pub vertices: u32,
@@ -27,12 +29,16 @@ pub struct TickRecord {
     pub collision_tests: u32,
     /// Grid cells that the collision tests went through.
     pub cells: u32,
+    /// What the hand's motion does.
+    pub mode: Mode,
+    /// Where the workspace lies.
+    pub window: Window,
 }
 
 impl TickRecord {
     /// Before the first tick: hand, goal and proxy at the workspace's origin, which lies at
     /// `terrain`.
-    pub(crate) fn at_rest(terrain: [f64; 3]) -> TickRecord {
+    pub(crate) fn at_rest(terrain: [f64; 3], window: Window) -> TickRecord {
         TickRecord {
             tick: 0,
             time: 0.0,
@@ -45,6 +51,8 @@ impl TickRecord {
             faces: 0,
             collision_tests: 0,
             cells: 0,
+            mode: Mode::Normal,
+            window,
         }
     }
 }

@@ -9,9 +9,10 @@ use surface::{Grid, GridPoint};
 use crate::force::spring;
 use crate::frame::ground_cells;
 use crate::memory::Piece;
+use crate::modes::{Changed, Hand, Hold, Modes};
 use crate::passivity::{Coupling, Passivity, declared_damping};
 use crate::safety::{Heartbeat, Reading, Safety, Stage};
-use crate::{Fault, Frame, Held, Limits, Settings, TickRecord, Totals, Walls};
+use crate::{Fault, Frame, Held, Limits, Mode, Settings, TickRecord, Totals, Walls};
 
 /// A device, a contact model and a grid, joined by a spring from the hand to the proxy.
 ///
@@ -24,10 +25,16 @@ pub struct Servo {
     frame: Frame,
     /// None until they are asked for.
     walls: Option<Walls>,
+    /// None where buttons change nothing.
+    modes: Option<Modes>,
     /// Watches the energy of the spring.
     passivity: Passivity,
     /// The goal of the last tick. `None` while the proxy has still to be placed at the hand.
     last_goal: Option<GridPoint>,
+    /// Where the proxy was last.
+    last_proxy: GridPoint,
+    /// Seconds before this tick in which no hand was seen.
+    unseen: f64,
     latest: TickRecord,
     totals: Totals,
     fault: Option<Fault>,
@@ -42,17 +49,24 @@ impl Servo {
         frame: Frame,
         settings: &Settings,
     ) -> Result<Servo, ParameterError> {
-        let origin = frame.terrain(&frame.goal([0.0; 3]));
+        let origin = frame.goal([0.0; 3]);
         let capabilities = device.capabilities();
+        let safety = Safety::new(device, settings)?;
+        let interaction = settings.interaction;
+        let modes =
+            interaction.map(|numbers| Modes::new(numbers, &capabilities, safety.limits(), &frame));
         Ok(Servo {
-            safety: Safety::new(device, settings)?,
+            safety,
             model,
             grid,
             frame,
-            walls: None,
+            walls: settings.walls.then(|| Walls::of_workspace(capabilities.workspace)),
+            modes,
             passivity: Passivity::new(declared_damping(&capabilities), capabilities.delay_ticks),
             last_goal: None,
-            latest: TickRecord::at_rest(origin),
+            last_proxy: origin,
+            unseen: 0.0,
+            latest: TickRecord::at_rest(frame.terrain(&origin), frame.window()),
             totals: Totals::default(),
             fault: None,
         })
@@ -79,6 +93,8 @@ impl Servo {
         } else if let Err(fault) = self.exchange(time, dt) {
             self.fail(fault);
         }
+        self.latest.mode = self.mode();
+        self.latest.window = self.frame.window();
         self.latest
     }
 
@@ -86,7 +102,10 @@ impl Servo {
     fn exchange(&mut self, time: f64, dt: f64) -> Result<(), Fault> {
         let wanted = match self.safety.read(time, dt)? {
             Reading::Hand { pose, followed } => self.answer(&pose, followed, dt),
-            Reading::Nothing => Force::ZERO,
+            Reading::Nothing => {
+                self.unseen += dt;
+                Force::ZERO
+            }
         };
         // Asked after the update: it is in the update that a cut file is noticed.
         if self.grid.damaged() {
@@ -100,40 +119,107 @@ impl Servo {
     /// The force that a pose asks for, `dt` seconds after the last one; `followed` says whether the
     /// hand came here as hands do.
     fn answer(&mut self, pose: &Pose, followed: bool, dt: f64) -> Force {
+        let since = dt + std::mem::take(&mut self.unseen);
         let inside = self.walls.map_or(pose.position, |walls| walls.inside(pose.position));
         let goal = self.frame.goal(inside);
         if self.safety.is_on(Stage::Finite) && !goal.is_finite() {
             return self.distrust();
         }
         // The proxy begins at the hand: no force at first, even where the hand is in the ground.
-        match self.last_goal.filter(|_| followed) {
-            Some(before) => self.totals.goal_cells += ground_cells(&before, &goal),
-            None if self.safety.is_on(Stage::Engage) => self.engage(goal),
-            None => {}
+        let before = self.last_goal.filter(|_| followed);
+        if before.is_none() && self.safety.is_on(Stage::Engage) {
+            self.engage(goal);
+        }
+        let is_at_wall = self.walls.is_some_and(|walls| !walls.hold(pose.position));
+        let hand = Hand { pose, inside, is_at_wall, dt: since };
+        if let Some(hold) = self.steer(&hand) {
+            let goal = self.frame.goal(inside);
+            self.last_goal = Some(goal);
+            return self.hold(pose, &goal, &hold, dt);
+        }
+        // A surface that drifts takes the goal over other ground.
+        let goal = if self.modes.is_some() { self.frame.goal(inside) } else { goal };
+        if let Some(before) = before {
+            self.totals.goal_cells += ground_cells(&before, &goal);
         }
         self.last_goal = Some(goal);
+        self.touch(pose, &goal, dt)
+    }
 
-        let contact = self.model.update(&self.grid, self.frame.metric(), &goal);
-        if self.safety.is_on(Stage::Finite) && !contact.proxy.is_finite() {
-            return self.distrust_model(pose, &goal);
+    /// Lets the modes look at the hand, and move the window. `None` where contact is felt.
+    fn steer(&mut self, hand: &Hand<'_>) -> Option<Hold> {
+        let modes = self.modes.as_mut()?;
+        let proxy = (self.latest.feature != Feature::Free).then_some(self.last_proxy);
+        if let Some(changed) = modes.look(hand, &self.frame, &self.grid, proxy) {
+            self.safety.hand_over();
+            if changed == Changed::BeginsAtHand {
+                self.model.place(self.frame.goal(hand.inside));
+            }
         }
+        self.totals.mode_changes = modes.changes();
+        modes.step(hand, &mut self.frame, self.safety.stiffness())
+    }
+
+    /// The force of contact.
+    fn touch(&mut self, pose: &Pose, goal: &GridPoint, dt: f64) -> Force {
+        let contact = self.model.update(&self.grid, self.frame.metric(), goal);
+        if self.safety.is_on(Stage::Finite) && !contact.proxy.is_finite() {
+            return self.distrust_model(pose, goal);
+        }
+        self.last_proxy = contact.proxy;
         self.count(&contact);
-        self.report(pose, &goal, &contact);
-        self.pull(pose, &goal, &contact, dt)
+        self.report(pose, goal, &contact);
+        let stretch = self.stretch(pose, goal, &contact);
+        if let Some(modes) = &mut self.modes {
+            let force = self.safety.clamped(spring(self.safety.stiffness(), stretch));
+            self.passivity.expect(0.0, modes.pay(force.newtons));
+        }
+        self.pull(pose, stretch, [0.0; 3], dt)
+    }
+
+    /// The force of a mode that holds the hand.
+    fn hold(&mut self, pose: &Pose, goal: &GridPoint, hold: &Hold, dt: f64) -> Force {
+        self.latest.hand = pose.position;
+        self.latest.goal = self.frame.terrain(goal);
+        if self.mode() == Mode::Zoom {
+            self.latest.proxy = self.latest.goal;
+            self.latest.feature = Feature::Free;
+            self.last_proxy = *goal;
+        }
+        let mut stretch = hold.stretch;
+        if let Some(walls) = self.walls.filter(|_| hold.has_walls) {
+            for (part, of_walls) in stretch.iter_mut().zip(walls.push(pose.position, None)) {
+                *part += of_walls;
+            }
+        }
+        self.passivity.expect(hold.kept, 0.0);
+        self.pull(pose, stretch, hold.beside, dt)
     }
 
     fn engage(&mut self, goal: GridPoint) {
         self.model.place(goal);
         self.safety.engage();
         self.passivity.begin();
+        self.end_mode();
+        self.latest.feature = Feature::Free;
     }
 
-    /// The spring from the hand to where it shall be, under the eyes of the passivity observer, which
-    /// may add damping to it.
-    fn pull(&mut self, pose: &Pose, goal: &GridPoint, contact: &Contact, dt: f64) -> Force {
-        let stretch = self.stretch(pose, goal, contact);
+    /// Back to normal mode, over a surface at rest.
+    fn end_mode(&mut self) {
+        if let Some(modes) = &mut self.modes {
+            modes.begin();
+            self.totals.mode_changes = modes.changes();
+        }
+    }
+
+    /// The spring from the hand to where it shall be, and newtons `beside` it, under the eyes of the
+    /// passivity observer, which may add damping to it.
+    fn pull(&mut self, pose: &Pose, stretch: [f64; 3], beside: [f64; 3], dt: f64) -> Force {
         let stiffness = self.safety.stiffness();
-        let force = spring(stiffness, stretch);
+        let mut force = spring(stiffness, stretch);
+        for (newtons, more) in force.newtons.iter_mut().zip(beside) {
+            *newtons += more;
+        }
         if !force.is_finite() {
             // No energy to keep account of: the safety chain lets none of it through.
             return force;
@@ -213,16 +299,46 @@ impl Servo {
     pub fn release(&mut self) {
         self.last_goal = None;
         self.latest.force = [0.0; 3];
+        self.end_mode();
         self.safety.release();
     }
 
     /// Lays the workspace elsewhere. The hand then lies over other ground, so the proxy begins anew
-    /// at the hand; the same window again changes nothing.
+    /// at the hand, in normal mode; the same window again changes nothing.
     pub fn set_frame(&mut self, frame: Frame) {
         if frame.window() != self.frame.window() {
             self.frame = frame;
             self.last_goal = None;
         }
+    }
+
+    /// Where the workspace lies now.
+    pub fn frame(&self) -> &Frame {
+        &self.frame
+    }
+
+    /// What the hand's motion does.
+    pub fn mode(&self) -> Mode {
+        self.modes.as_ref().map_or(Mode::Normal, Modes::mode)
+    }
+
+    /// Changes the mode from the next tick on, whatever the button says; nothing without modes.
+    pub fn set_mode(&mut self, mode: Mode) {
+        if let Some(modes) = &mut self.modes {
+            modes.force(mode);
+        }
+    }
+
+    /// A key that is the stylus button; nothing without modes.
+    pub fn press(&mut self, is_down: bool) {
+        if let Some(modes) = &mut self.modes {
+            modes.press(is_down);
+        }
+    }
+
+    /// How far a simulated handle shall be turned, radians.
+    pub fn set_twist(&mut self, radians: f64) {
+        self.safety.set_twist(radians);
     }
 
     /// Lets another contact model go on from where the proxy is, the force changing no faster than

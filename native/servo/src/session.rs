@@ -14,11 +14,11 @@ use crate::engine::{COMMANDS, Engine, Ports, RETIRED, Snapshot, TICKS_PER_SECOND
 use crate::live::{Granted, Live};
 use crate::safety::Heartbeat;
 use crate::{
-    Fault, Frame, Held, Histogram, Limits, LockedMemory, Priority, Servo, State, Statistics,
-    TickRecord, Totals, Warning, Window,
+    Fault, Frame, Held, Histogram, Interaction, Limits, LockedMemory, Mode, Priority, Servo, State,
+    Statistics, TickRecord, Totals, Warning, Window,
 };
 
-/// The longest ring: an hour of ticks takes half a gigabyte.
+/// The longest ring: an hour of ticks takes about a gigabyte.
 const LONGEST_RING_SECONDS: f64 = 3600.0;
 
 /// The numbers of a session.
@@ -43,6 +43,12 @@ pub struct Settings {
     /// Whether a live session asks the system for real-time priority. A refusal is no error: see
     /// [`Session::priority`].
     pub real_time: bool,
+    /// Whether four walls keep the hand in the device's workspace (paper, section 4.2). On for
+    /// whoever holds a device; off at first, for a script's hand goes where the script wants.
+    pub walls: bool,
+    /// Whether the stylus button changes the mode, and how pan and zoom feel; `None` where buttons
+    /// change nothing. On for whoever holds a device.
+    pub interaction: Option<Interaction>,
 }
 
 impl Default for Settings {
@@ -56,6 +62,8 @@ impl Default for Settings {
             max_speed: f64::INFINITY,
             stale_after: None,
             real_time: true,
+            walls: false,
+            interaction: None,
         }
     }
 }
@@ -71,6 +79,9 @@ impl Settings {
         check::positive_or_infinite("max_speed", self.max_speed)?;
         if let Some(seconds) = self.stale_after {
             check::positive("stale_after", seconds)?;
+        }
+        if let Some(interaction) = &self.interaction {
+            interaction.validate()?;
         }
         ring_capacity(self.ring_seconds).map(|_| ())
     }
@@ -88,6 +99,9 @@ pub enum SessionError {
     /// Touch ended by itself, and such a session is not started again.
     #[error(transparent)]
     Faulted(#[from] Fault),
+    /// A mode was asked for where there are none.
+    #[error("the session was made without modes of interaction")]
+    WithoutModes,
     /// The system gave no thread.
     #[error("the servo's thread could not be made: {0}")]
     Thread(#[source] io::Error),
@@ -115,7 +129,11 @@ enum Place {
 pub struct Session {
     place: Place,
     grid: Arc<Grid>,
+    /// What was asked for last.
     window: Window,
+    /// How many windows were asked for.
+    windows: u64,
+    has_modes: bool,
     /// The name of the contact model that was chosen last.
     model: &'static str,
     /// Metres.
@@ -155,8 +173,11 @@ impl Session {
         let servo = Servo::new(device, model, Arc::clone(&grid), frame, &settings)?;
 
         let limits = *servo.limits();
-        let before_the_first_tick =
-            Snapshot { state: State::new(servo.latest(), name, None), totals: Totals::default() };
+        let before_the_first_tick = Snapshot {
+            state: State::new(servo.latest(), name, None),
+            totals: Totals::default(),
+            windows: 0,
+        };
         let (commands, commands_taken) = RingBuffer::new(COMMANDS);
         let (retired_given, retired) = RingBuffer::new(RETIRED);
         let (records_given, records) = RingBuffer::new(capacity);
@@ -177,6 +198,8 @@ impl Session {
             place: Place::Here(Box::new(Engine::new(servo, ports))),
             grid,
             window,
+            windows: 0,
+            has_modes: settings.interaction.is_some(),
             model: name,
             workspace_width: capabilities.workspace[0],
             limits,
@@ -290,17 +313,51 @@ impl Session {
         self.fault.get()
     }
 
-    /// Where the workspace lies.
-    pub fn window(&self) -> Window {
-        self.window
+    /// Where the workspace lies: where pan and zoom have moved it, or where it was last asked to be
+    /// and will be from the next tick on.
+    pub fn window(&mut self) -> Window {
+        let newest = self.snapshots.read();
+        if newest.windows == self.windows { newest.state.window } else { self.window }
     }
 
-    /// Lays the workspace elsewhere, from the next tick on. The proxy then begins anew at the hand.
+    /// Lays the workspace elsewhere, from the next tick on. The proxy then begins anew at the hand,
+    /// in normal mode, over a surface at rest.
     pub fn set_window(&mut self, window: Window) -> Result<(), SessionError> {
         let frame = Frame::new(window, self.workspace_width, self.grid.layout())?;
-        self.command(Command::Window(frame))?;
+        self.command(Command::Window { frame, number: self.windows + 1 })?;
+        self.windows += 1;
         self.window = window;
         Ok(())
+    }
+
+    /// Presses the stylus button, as a key does for every device, from the next tick on.
+    pub fn press(&mut self) -> Result<(), SessionError> {
+        self.mode_command(Command::Press(true))
+    }
+
+    /// Releases the stylus button that [`press`](Self::press) pressed.
+    pub fn release(&mut self) -> Result<(), SessionError> {
+        self.mode_command(Command::Press(false))
+    }
+
+    /// Changes the mode from the next tick on, whatever the button says, until normal mode is asked
+    /// for or touch begins anew. Pan in the air holds the point at the hand.
+    pub fn set_mode(&mut self, mode: Mode) -> Result<(), SessionError> {
+        self.mode_command(Command::Mode(mode))
+    }
+
+    /// Turns a simulated handle about the vertical, radians counter-clockwise seen from above, from
+    /// the next tick on.
+    pub fn set_twist(&mut self, radians: f64) -> Result<(), SessionError> {
+        check::finite("twist", radians)?;
+        self.command(Command::Twist(radians))
+    }
+
+    fn mode_command(&mut self, command: Command) -> Result<(), SessionError> {
+        if !self.has_modes {
+            return Err(SessionError::WithoutModes);
+        }
+        self.command(command)
     }
 
     /// Lets `model` answer from the next tick on, also in mid-touch: it goes on from where the
@@ -371,7 +428,7 @@ impl Session {
 
     /// What the safety chain did so far, in words for the person, the gravest first.
     pub fn warnings(&mut self) -> Vec<Warning> {
-        let Snapshot { state, totals } = *self.snapshots.read();
+        let Snapshot { state, totals, .. } = *self.snapshots.read();
         let below = self.is_below_ground(&state).then_some(Warning::Below);
         below.into_iter().chain(Warning::all(&self.limits, &totals)).collect()
     }
@@ -399,7 +456,8 @@ impl Session {
     fn is_below_ground(&self, state: &State) -> bool {
         let goal = self.grid.layout().grid_point(state.goal);
         let ground = goal.is_finite().then(|| self.grid.surface_elevation(&goal)).flatten();
-        state.tick > 0 && !state.in_contact() && ground.is_some_and(|ground| state.goal[2] < ground)
+        let seeks_touch = state.tick > 0 && state.mode == Mode::Normal && !state.in_contact();
+        seeks_touch && ground.is_some_and(|ground| state.goal[2] < ground)
     }
 
     fn refuse_after_fault(&self) -> Result<(), SessionError> {

@@ -2,21 +2,30 @@
 
 use contact::Feature;
 
-use crate::{Held, TickRecord};
+use crate::{Held, TickRecord, Window};
 
 /// What the hand's motion does.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Mode {
-    /// It moves the goal.
+    /// It touches the surface.
     #[default]
     Normal,
+    /// It pushes the surface along, held at its height.
+    Pan,
+    /// It brings the surface nearer or away, and turns it, held in its place.
+    Zoom,
 }
 
 impl Mode {
+    /// All of them.
+    pub const ALL: [Mode; 3] = [Mode::Normal, Mode::Pan, Mode::Zoom];
+
     /// In small letters.
     pub fn name(self) -> &'static str {
         match self {
             Mode::Normal => "normal",
+            Mode::Pan => "pan",
+            Mode::Zoom => "zoom",
         }
     }
 }
@@ -36,10 +45,12 @@ pub struct State {
     pub proxy: [f64; 3],
     /// Newtons, workspace frame, as sent to the device.
     pub force: [f64; 3],
-    /// What the proxy lies on.
+    /// What the proxy lies on; in pan mode, what the point that is held lies on.
     pub feature: Feature,
     /// What the hand's motion does.
     pub mode: Mode,
+    /// Where the workspace lies: pan and zoom move it.
+    pub window: Window,
     /// The name of the contact model in charge.
     pub model: &'static str,
     /// Why the force is away, or not yet wholly back.
@@ -56,7 +67,8 @@ impl State {
             proxy: record.proxy,
             force: record.force,
             feature: record.feature,
-            mode: Mode::Normal,
+            mode: record.mode,
+            window: record.window,
             model,
             held,
         }

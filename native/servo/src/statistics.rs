@@ -35,6 +35,8 @@ pub struct Totals {
     pub dropped: u64,
     /// Cells that the goal travelled over the ground, summed over the ticks.
     pub goal_cells: f64,
+    /// Changes of mode.
+    pub mode_changes: u64,
     /// How often each stage of the safety chain has acted.
     pub trips: Trips,
 }

@@ -4,12 +4,22 @@ use devices::{ParameterError, check};
 
 use crate::mix::{Contributor, Mix};
 
+/// Share of the workspace between its walls. Ours: 8 N on a wall of 500 N/m push the hand 16 mm in, of
+/// which half is to lie before the stops of a desktop device, 0.16 m wide.
+const INSET: f64 = 0.9;
+
 /// Four upright walls that keep the hand inside the workspace (paper, section 4.2).
 ///
 /// The contact model is asked where the proxy of the hand *inside* the walls is; wall and surface
 /// then push together as the mixing room lets them. As the point inside does not move while the hand
 /// is pressed further into a wall, the surface's plane does not either, and there is no step where
 /// surface contact begins or ends behind a wall.
+///
+/// The paper fades the surface's force to zero faster than the wall's grows, so that the two are
+/// independent or only one is there. The mixing room keeps that promise where it is about stability,
+/// and no further: what of the surface's push is at right angles to the wall is independent and
+/// stays, and along the wall's direction the two are never added: the larger one holds. A fade was
+/// tried: it can be an eighth stiffer than one spring, and has no potential.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Walls {
     /// Metres from the origin to the walls on the right and left, and to those far and near.
@@ -22,6 +32,12 @@ impl Walls {
         check::positive("half width between walls", half_width)?;
         check::positive("half depth between walls", half_depth)?;
         Ok(Walls { half: [half_width, half_depth] })
+    }
+
+    /// Walls that keep the hand in a workspace of that width and depth (metres), a little before it
+    /// ends: where a device's own stop holds the hand, no wall would be felt.
+    pub(crate) fn of_workspace([width, depth, _]: [f64; 3]) -> Walls {
+        Walls { half: [width, depth].map(|side| 0.5 * INSET * side) }
     }
 
     /// The nearest point between the walls.
@@ -53,7 +69,7 @@ impl Walls {
     }
 
     /// Whether no wall has anything against a point.
-    fn hold(&self, point: [f64; 3]) -> bool {
+    pub(crate) fn hold(&self, point: [f64; 3]) -> bool {
         (0..2).all(|axis| point[axis].abs() <= self.half[axis])
     }
 

@@ -2,7 +2,8 @@
 
 use devices::{ParameterError, check};
 
-/// The workspace frame laid over the terrain: moved to pan, narrowed to zoom.
+/// The workspace frame laid over the terrain: moved to pan, narrowed to zoom, turned by a twist of
+/// the stylus.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Window {
     east: f64,
@@ -10,12 +11,13 @@ pub struct Window {
     up: f64,
     width: f64,
     exaggeration: f64,
+    turn: f64,
 }
 
 impl Window {
     /// A window whose workspace origin lies at (`east`, `north`) terrain metres and at the elevation
     /// `up`; `width` metres of terrain span the width of the device's workspace, and heights are
-    /// multiplied by `exaggeration`.
+    /// multiplied by `exaggeration`. The workspace's x points east.
     pub fn new(
         east: f64,
         north: f64,
@@ -28,7 +30,19 @@ impl Window {
         check::finite("window up", up)?;
         check::positive("window width", width)?;
         check::positive("exaggeration", exaggeration)?;
-        Ok(Window { east, north, up, width, exaggeration })
+        Ok(Window { east, north, up, width, exaggeration, turn: 0.0 })
+    }
+
+    /// The same window with the workspace's x pointing `radians` north of east: turned about the
+    /// vertical, counter-clockwise seen from above.
+    pub fn turned(self, radians: f64) -> Result<Window, ParameterError> {
+        check::finite("window turn", radians)?;
+        Ok(Window { turn: radians, ..self })
+    }
+
+    /// The same size elsewhere; every number must be what [`new`](Self::new) takes.
+    pub(crate) fn moved(self, [east, north, up]: [f64; 3], width: f64, turn: f64) -> Window {
+        Window { east, north, up, width, turn, ..self }
     }
 
     /// Terrain metres under the workspace's origin.
@@ -54,5 +68,10 @@ impl Window {
     /// Of heights, the same for eye and hand.
     pub fn exaggeration(&self) -> f64 {
         self.exaggeration
+    }
+
+    /// Radians from east to the workspace's x, counter-clockwise seen from above.
+    pub fn turn(&self) -> f64 {
+        self.turn
     }
 }

@@ -10,10 +10,10 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use common::*;
 use contact::Feature;
 use devices::{
-    Capabilities, Device, DeviceError, Force, Hand, Mechanism, PathPoint, Pose, ScriptedDevice,
-    SimulatedDevice,
+    Capabilities, Device, DeviceError, Force, Hand, HandlePoint, Mechanism, PathPoint, Pose,
+    ScriptedDevice, SimulatedDevice,
 };
-use servo::{Frame, STALE_AFTER, Servo, Session, Settings, Walls, Window};
+use servo::{Frame, Interaction, Mode, STALE_AFTER, Servo, Session, Settings, Walls, Window};
 use surface::GridPoint;
 
 thread_local! {
@@ -104,6 +104,42 @@ fn walls_and_passivity_control_allocate_nothing() {
     });
     assert_eq!(calls, 0);
     assert!(servo.totals().contact_ticks > 0 && servo.totals().active_ticks > 0);
+}
+
+#[test]
+fn modes_and_their_changes_allocate_nothing() {
+    let path = (0..400).map(|turn| {
+        let side = f64::from(turn % 5 - 2);
+        let height = 0.01 * f64::from(turn % 7) - 0.04;
+        PathPoint { time: f64::from(turn) * 0.05, position: [0.04 * side, 0.01, height] }
+    });
+    let handle = (0..80).map(|turn| HandlePoint {
+        time: f64::from(turn) * 0.25,
+        twist: f64::from(turn % 3),
+        buttons: u32::from(turn % 2 == 1),
+    });
+    let device = ScriptedDevice::new(path.collect(), [0.16, 0.12, 0.12]).unwrap();
+    let device = device.with_handle(handle.collect()).unwrap();
+    let interaction = Some(Interaction::default());
+    let settings = Settings { walls: true, interaction, ..Settings::default() };
+    let ground = ground(rough);
+    let mut session =
+        Session::new(ground, Box::new(device), proxy_graph(), window(), settings).unwrap();
+    let calls = calls_during(|| {
+        session.step(10_000).unwrap();
+        for mode in Mode::ALL {
+            session.set_mode(mode).unwrap();
+            session.press().unwrap();
+            session.set_twist(1.0).unwrap();
+            session.step(1000).unwrap();
+            session.window();
+        }
+        session.step(7000).unwrap();
+    });
+    assert_eq!(calls, 0);
+    let modes: Vec<Mode> = session.drain().iter().map(|record| record.mode).collect();
+    assert!(Mode::ALL.iter().all(|mode| modes.contains(mode)));
+    assert!(session.statistics().totals.mode_changes > 20);
 }
 
 #[test]

@@ -9,7 +9,7 @@ use super::kind::Kind;
 use super::puppet::{Order, Puppet, Strings};
 use super::random::Random;
 use super::witness::{Shared, Witness};
-use crate::{STALE_AFTER, Session, SessionError, Settings, Stage, Trips};
+use crate::{Interaction, STALE_AFTER, Session, SessionError, Settings, Stage, Trips};
 
 /// What became of a fault, or (without a kind) of the ticks without one.
 pub(super) struct Outcome {
@@ -115,6 +115,7 @@ impl Play {
             max_force: random.between(4.0, 12.0),
             ring_seconds: random.one_of(&[0.01, 1.0]),
             stale_after: Some(STALE_AFTER),
+            interaction: Some(Interaction::default()),
             ..Settings::default()
         };
         let ground = Ground::new(random.coin(), is_mapped);
@@ -280,12 +281,7 @@ impl Play {
                 self.feel_nothing(random.whole(1, 20));
                 self.offset = [0.0; 3];
             }
-            Kind::Buttons => {
-                for _ in 0..200 {
-                    self.device.lock().buttons = random.whole(0, 16) as u32;
-                    self.feel_anything(1);
-                }
-            }
+            Kind::Buttons => self.play_with_buttons(random),
             Kind::MissedTicks => self.stall(random.whole(2, 21)),
             Kind::Stall100Ms => self.stall(100),
             Kind::Stall1S => self.stall(1000),
@@ -318,6 +314,22 @@ impl Play {
                 self.feel_nothing(2);
             }
         }
+    }
+
+    /// Modes change at random, and move the ground under the hand: what is known of it is no more than
+    /// what is always promised. Then the window is laid anew.
+    fn play_with_buttons(&mut self, random: &mut Random) {
+        let unknown = || Known { depth: Some(f64::INFINITY), ..Known::default() };
+        for _ in 0..200 {
+            self.began_inside = false;
+            self.device.lock().buttons = random.whole(0, 16) as u32;
+            self.one(unknown());
+        }
+        self.device.lock().buttons = 0;
+        let aside = [random.between(-8.0, 8.0), random.between(-8.0, 8.0)];
+        self.session.set_window(Ground::window(aside)).expect("a window over the ground");
+        self.begin_anew();
+        self.one(Known { no_force: true, begins: true, ..Known::default() });
     }
 
     fn fail_reads(&mut self, error: &DeviceError, ticks: u64) {

@@ -49,7 +49,7 @@ impl Device for Witness {
         let mut script = self.shared.lock();
         match script.read_error.take() {
             Some(error) => Err(error),
-            None => Ok(Pose { position: script.position, buttons: script.buttons }),
+            None => Ok(Pose { buttons: script.buttons, ..Pose::at(script.position) }),
         }
     }
 

@@ -244,7 +244,8 @@ impl Safety {
         self.slew.cut();
     }
 
-    /// Another contact model answers from now on: the force goes over slowly.
+    /// Something else answers from now on, as another contact model or mode: the force goes over
+    /// slowly.
     pub(crate) fn hand_over(&mut self) {
         self.slew.hand_over();
     }
@@ -304,6 +305,11 @@ impl Safety {
     /// Where a simulated hand shall go (workspace metres).
     pub(crate) fn set_target(&mut self, target: [f64; 3]) {
         self.device.set_target(target);
+    }
+
+    /// How far a simulated handle shall be turned, radians.
+    pub(crate) fn set_twist(&mut self, radians: f64) {
+        self.device.set_twist(radians);
     }
 
     /// What the device can do.

@@ -3,6 +3,8 @@
 // Every test file uses its own part of this.
 #![allow(dead_code)]
 
+pub mod handheld;
+
 use std::ops::Range;
 use std::sync::{Arc, Mutex};
 
