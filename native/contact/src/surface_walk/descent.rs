@@ -77,7 +77,8 @@ impl<S: Sample> Walk<'_, '_, S> {
 
     #[inline(always)]
     fn descend_from_edge(&mut self, edge: LatticeEdge, counters: &mut Counters) -> Descent {
-        counters.faces += 1;
+        // Both faces beside it are looked at.
+        counters.faces += 2;
         let (triangle, side) = edge.north_eastern();
         let first = Face::new(self.search, &triangle);
         let second = first.across(side, self.search);
@@ -103,7 +104,8 @@ impl<S: Sample> Walk<'_, '_, S> {
 
     #[inline(never)]
     fn descend_from_vertex(&mut self, column: i64, row: i64, counters: &mut Counters) -> Descent {
-        counters.faces += 1;
+        // All faces around it are looked at.
+        counters.faces += 6;
         self.stand_on_vertex(column, row);
         let elevation = self.proxy.position.elevation;
         let goal = self.search.target.relative_to(column, row, elevation);
@@ -113,7 +115,7 @@ impl<S: Sample> Walk<'_, '_, S> {
             return Descent::Open(faces[ahead].triangle());
         }
         let distance = self.search.weights.squared(goal);
-        if !self.comes_nearer(distance) {
+        if !self.progress.comes_nearer(distance) {
             return Descent::AtRest;
         }
 
@@ -230,7 +232,7 @@ impl<S: Sample> Walk<'_, '_, S> {
     #[inline(never)]
     fn ask_across(&mut self, face: &Face, edge: usize, counters: &mut Counters) -> Descent {
         let distance = self.search.squared_distance(&self.proxy.position);
-        if !self.comes_nearer(distance) || counters.steps() >= self.step_budget {
+        if !self.progress.comes_nearer(distance) || counters.steps() >= self.step_budget {
             return Descent::AtRest;
         }
         let start = if edge == 0 { 1 } else { 0 };
