@@ -15,8 +15,42 @@ pub struct Metric {
 }
 
 impl Metric {
-    /// Whether all three lengths are positive and finite.
+    /// Whether distances can be measured by it: all three lengths are positive and finite, and so are the
+    /// squares of their ratios, by which lengths of one direction are weighed against those of another.
     pub fn is_valid(&self) -> bool {
-        [self.column, self.row, self.up].iter().all(|length| length.is_finite() && *length > 0.0)
+        let is_usable = |length: f64| length.is_finite() && length > 0.0;
+        let ratios = [self.row / self.column, self.up / self.column, self.up / self.row];
+        // A ratio that is no normal number lost digits, or all of itself.
+        [self.column, self.row, self.up].into_iter().all(is_usable)
+            && ratios.iter().all(|ratio| (ratio * ratio).is_normal())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn is_valid(column: f64, row: f64, up: f64) -> bool {
+        Metric { column, row, up }.is_valid()
+    }
+
+    #[test]
+    fn lengths_are_positive_and_finite() {
+        assert!(is_valid(1.0, 2.0, 0.1) && is_valid(1e300, 1e300, 1e300));
+        assert!(is_valid(1e-300, 1e-298, 1e-306) && is_valid(1e6, 1e8, 1e-9));
+        for broken in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+            assert!(!is_valid(broken, 1.0, 1.0));
+            assert!(!is_valid(1.0, broken, 1.0));
+            assert!(!is_valid(1.0, 1.0, broken));
+        }
+    }
+
+    /// Each of the lengths can be held, but not what one is to another.
+    #[test]
+    fn lengths_that_cannot_be_weighed_against_each_other_measure_nothing() {
+        assert!(!is_valid(5e36, 5e36, 2e-299));
+        assert!(!is_valid(1e-300, 1e-300, 1e300));
+        assert!(!is_valid(1.0, 1e-200, 1.0) && !is_valid(1.0, 1e200, 1.0));
+        assert!(!is_valid(1e-100, 1e100, 1.0));
     }
 }
