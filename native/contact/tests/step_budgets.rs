@@ -3,7 +3,7 @@
 mod common;
 
 use common::models::{all_models, fewest_steps};
-use common::random_hand::Ground;
+use common::random_hand::{Ground, RandomHand};
 use common::trial::Trial;
 use common::*;
 use contact::{ContactModel, Feature, MIN_STEP_BUDGET, MIN_SUB_STEP, Model, SurfaceWalk};
@@ -134,6 +134,28 @@ fn sub_steps_too_short_to_lead_anywhere_are_refused() {
     };
     ends(&mut walk, 3.0);
     assert!(ends(&mut walk, 13.0) < 100, "a tenth of a cell in an update at least");
+}
+
+/// On steep ground the point of an edge that is nearest to a far goal may be a few last places beside a
+/// vertex: only there have the other faces a say.
+#[test]
+fn on_the_steepest_ground_no_edge_holds_a_proxy_beside_its_vertex() {
+    let mut tally = common::trial::Tally::default();
+    for seed in 0..2000 {
+        let mut random = Random::new(seed);
+        let grid = Ground { levels: 3, ..Ground::noise(12, 12, 1.0) }.grid(&mut random);
+        let aspect = 10f64.powf(random.between(-2.0, 2.0));
+        let up = 10f64.powf(random.between(6.0, 9.0)) * aspect.min(1.0);
+        let metric = Metric { column: 1.0, row: aspect, up };
+        let model = Model::SurfaceWalk { sub_step: [None, Some(1.0)][random.below(2)] };
+        let mut hand = RandomHand::new(&grid, 5.0, 10.0, seed);
+        let mut trial = Trial::over_the_middle(&grid, metric, &model, 4096);
+        for _ in 0..60 {
+            trial.update(&hand.next(&grid, &metric)).unwrap();
+        }
+        tally += trial.tally;
+    }
+    assert!(tally.in_contact > 10_000 && tally.not_minimal == 0, "{tally}");
 }
 
 proptest! {
