@@ -51,9 +51,8 @@ impl Model {
     /// stays near a tenth of a millisecond.
     pub fn default_step_budget(&self) -> u32 {
         match self {
-            Self::SurfaceWalk { .. } | Self::ProxyGraph => 4096,
-            // A step is a cell of a ray, mostly in the air.
-            Self::GodObject => 8192,
+            // A step of the god-object is a cell of a ray, mostly in the air.
+            Self::SurfaceWalk { .. } | Self::ProxyGraph | Self::GodObject => 4096,
             // A step in three is a triangle's projection, the others are cells of short rays.
             Self::GodObjectRelease => 2048,
             // A step is two triangles, held against a sphere; where many of them touch, each against the others

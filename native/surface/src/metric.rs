@@ -15,16 +15,23 @@ pub struct Metric {
 }
 
 impl Metric {
-    /// Whether distances can be measured by it: all three lengths are positive and finite, and so are the
-    /// squares of their ratios, by which lengths of one direction are weighed against those of another.
+    /// Whether distances can be measured by it: all three lengths are positive, finite and not denormal,
+    /// and so are the squares of their ratios, by which they are weighed against each other.
     pub fn is_valid(&self) -> bool {
-        let is_usable = |length: f64| length.is_finite() && length > 0.0;
-        let ratios = [self.row / self.column, self.up / self.column, self.up / self.row];
-        // A ratio that is no normal number lost digits, or all of itself.
-        [self.column, self.row, self.up].into_iter().all(is_usable)
-            && ratios.iter().all(|ratio| (ratio * ratio).is_normal())
+        // Sign and exponent: every update asks, and ratios would be divisions.
+        let powers = [self.column, self.row, self.up].map(|length| length.to_bits() >> 52);
+        let (least, most) = powers
+            .iter()
+            .fold((u64::MAX, 0), |(least, most), power| (least.min(*power), most.max(*power)));
+        least >= 1 && most <= LARGEST_POWER && most - least <= WIDEST
     }
 }
+
+/// The exponent of the largest numbers, as it is stored; beyond it are infinity, NaN, and negative numbers.
+const LARGEST_POWER: u64 = 2046;
+
+/// Powers of two between lengths; the square of a ratio is at most 2^1002.
+const WIDEST: u64 = 500;
 
 #[cfg(test)]
 mod tests {
