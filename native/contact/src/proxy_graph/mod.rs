@@ -86,6 +86,12 @@ impl ProxyGraph {
         }
     }
 
+    /// The same that stops after so many steps, also below the floor: for tools that trace its way. Such
+    /// a proxy need not come to an end.
+    pub fn stopping_after(steps: u32) -> Self {
+        Self { step_budget: steps.max(1), ..Self::new(steps) }
+    }
+
     fn minimise<S: Sample>(&mut self, search: &Search<S>, counters: &mut Counters) {
         self.recall(&search.goal);
         loop {
