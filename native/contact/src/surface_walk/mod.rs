@@ -12,6 +12,10 @@
 //! proxy graph, where it does not hold). A goal that is still is answered with the same proxy, bit
 //! for bit, from the update on that has no steps left.
 //!
+//! "Local minimum" is meant to within rounding: on ground up to a thousand million cells high no test
+//! finds a nearer place around the proxy. Higher ground has minima whose depth is below all rounding, and
+//! whether the walk stops in one of them is chance.
+//!
 //! * [`section`]: the long way, along the straight section toward the goal while that descends gently.
 //! * [`sub_steps`]: the goal led over its way in parts.
 //! * [`descent`]: steepest descent from face to face.
