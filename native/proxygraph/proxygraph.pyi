@@ -558,10 +558,14 @@ class ContactModel:
         scale: workspace metres per metre of terrain.
         exaggeration: of heights; it changes which point is nearest, as in the paper.
         step_budget: steps (vertices, faces or changes of constraints, and free-space cells) that one update
-            may take, at least 1; ``None`` is the model's default. What is left is walked in the next updates.
+            may take, at least 64; ``None`` is the model's default. What is left is walked in the next updates.
+            The floor of ``virtual_proxy`` is 100: it raises a smaller budget to that.
         sub_step: of ``surface_walk`` only: within an update the goal moves no further than this many cells at a
-            time, which follows a fast hand more faithfully and costs time; ``None`` moves it in one step.
-        radius: of ``virtual_proxy`` only: of its sphere, workspace metres; ``None`` is half a cell's width.
+            time, which follows a fast hand more faithfully and costs time; at least 0.01; ``None`` moves it in
+            one step.
+        radius: of ``virtual_proxy`` only: of its sphere, workspace metres; ``None`` is half a cell's width. A
+            sphere whose shadow has more cells than a quarter of the step budget is made as small as the budget
+            can look at, silently: the property ``radius`` tells how large it is.
 
     Raises:
         ValueError: naming what was given, and what was expected; a knob that the model does not have too.
@@ -582,7 +586,14 @@ class ContactModel:
     def name(self) -> str:
         """One of ``MODELS``."""
     @property
-    def step_budget(self) -> int: ...
+    def step_budget(self) -> int:
+        """The budget in force: as given, or the model's floor (100 steps for ``virtual_proxy``, 64 for others)."""
+    @property
+    def radius(self) -> float | None:
+        """Of the sphere as it touches, workspace metres: as given, or as large as the budget can look at.
+
+        ``None`` for models whose proxy is a point.
+        """
     def place(self, east: float, north: float, up: float) -> None:
         """Put the proxy there, out of contact (terrain frame, metres)."""
     def update(self, east: float, north: float, up: float) -> Contact:

@@ -66,12 +66,12 @@ def test_the_proxy_is_never_under_the_surface(
 
 
 @unhurried
-@given(POINTS, HEIGHTS, GOALS, SLOPES, st.integers(1, 12))
+@given(POINTS, HEIGHTS, GOALS, SLOPES, st.integers(64, 80))
 def test_every_update_ends_within_its_budget(
     name: str, heights: list[int], goals: list[tuple[float, float, float]], exaggeration: float, budget: int
 ) -> None:
     for contact in slide(name, rough(heights), goals, exaggeration, budget):
-        assert contact.vertices + contact.faces + contact.cells <= budget + 1
+        assert contact.vertices + contact.faces + contact.cells <= budget
         assert all(math.isfinite(metres) for metres in contact.proxy)
     for contact in slide(name, rough(heights), goals, exaggeration):
         assert contact.steps_left == 0
@@ -181,7 +181,7 @@ def test_a_scale_without_size_is_refused(bad: dict[str, float]) -> None:
 
 
 @pytest.mark.parametrize("name", MODELS)
-@pytest.mark.parametrize("budget", [1, 2, 5, 4096])
+@pytest.mark.parametrize("budget", [64, 65, 100, 4096])
 def test_heights_at_the_end_of_what_a_double_holds_stay_finite(name: str, budget: int) -> None:
     model = ContactModel(ground([[0.0] * 3] * 3), name, step_budget=budget)
     model.place(0.5, -0.5, 1.7e308)

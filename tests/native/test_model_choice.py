@@ -25,11 +25,15 @@ SLEW = 8.0 / 0.05 * 0.001
 REFUSED = [
     ({"model": "walk"}, r"model is 'walk'; expected one of surface_walk, proxy_graph, god_object"),
     ({"model": ""}, "model is ''; expected one of"),
-    ({"step_budget": 0}, "step_budget is 0; expected a whole number from 1"),
+    ({"step_budget": 0}, "step_budget is 0; expected a whole number from 64"),
+    ({"step_budget": 63}, "step_budget is 63; expected a whole number from 64"),
+    ({"model": "virtual_proxy", "step_budget": 63}, "step_budget is 63; expected a whole number from 64"),
     ({"step_budget": -3}, "step_budget is -3"),
     ({"step_budget": 2**200}, "step_budget is a number above"),
     ({"sub_step": 0.0}, "sub_step is 0; expected a finite number of cells above zero"),
     ({"sub_step": -1.0}, "sub_step is -1"),
+    ({"sub_step": 0.0099}, "sub_step is 0.0099; expected at least 0.01 cells"),
+    ({"sub_step": 1e-300}, "sub_step is .*; expected at least 0.01 cells"),
     ({"sub_step": math.nan}, "sub_step is NaN"),
     ({"sub_step": math.inf}, "sub_step is inf"),
     ({"model": "proxy_graph", "sub_step": 1.0}, "sub_step is 1 with model 'proxy_graph'.*only surface_walk"),
@@ -62,8 +66,35 @@ def test_the_walk_is_the_default() -> None:
 
 
 def test_a_budget_that_is_left_out_is_the_models_own() -> None:
-    assert ContactModel(flat(), step_budget=7).step_budget == 7
+    assert ContactModel(flat(), step_budget=77).step_budget == 77
     assert ContactModel(flat()).step_budget == ContactModel(flat(), step_budget=None).step_budget >= 100
+
+
+@pytest.mark.parametrize("name", MODELS)
+@pytest.mark.parametrize("asked", [64, 99, 100, 3000])
+def test_the_budget_that_is_told_is_the_one_in_force(name: str, asked: int) -> None:
+    model = ContactModel(hills(), name, step_budget=asked, sub_step=None)
+    assert model.step_budget == max(asked, 100 if name == "virtual_proxy" else 64)
+    model.place(5.0, -5.0, 100.0)
+    for goal in [(5.0, -5.0, -5.0), (50.0, -50.0, -5.0), (5.0, -50.0, -5.0)]:
+        contact = model.update(*goal)
+        assert contact.vertices + contact.faces + contact.cells <= model.step_budget
+
+
+def test_a_sphere_tells_the_radius_that_its_budget_can_look_at() -> None:
+    assert ContactModel(flat(), "surface_walk").radius is None
+    assert ContactModel(flat(), "virtual_proxy", radius=0.25).radius == pytest.approx(0.25)
+    assert ContactModel(flat(), "virtual_proxy", scale=0.1).radius == pytest.approx(0.05)
+    cut = ContactModel(flat(), "virtual_proxy", scale=0.1, radius=5.0, step_budget=1024).radius
+    smaller = ContactModel(flat(), "virtual_proxy", scale=0.1, radius=5.0, step_budget=100).radius
+    assert cut is not None
+    assert smaller is not None
+    assert 0.0 < smaller < cut < 1.0
+
+    model = ContactModel(flat(), "virtual_proxy", scale=0.1, radius=5.0, step_budget=1024)
+    model.place(30.0, -30.0, 20.0)
+    # A cell is 1 m of terrain, and 0.1 m of workspace.
+    assert model.update(30.0, -30.0, -1.0).proxy[2] == pytest.approx(cut / 0.1)
 
 
 @pytest.mark.parametrize(("choice", "words"), REFUSED)

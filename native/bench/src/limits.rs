@@ -7,7 +7,7 @@
 use crate::crossings::corners_entered;
 use crate::path::Course;
 use crate::scene::{Scene, between, length};
-use contact::{Contact, ContactModel, Model, Place, Proxy};
+use contact::{Contact, ContactModel, Model, Place, Proxy, ProxyGraph};
 use std::hint::black_box;
 use surface::{Grid, GridPoint, Half, Metric, Triangle};
 
@@ -149,7 +149,7 @@ impl Steppers {
         let mut visited: Vec<_> = first_vertex(grid, metric, &from, goal).into_iter().collect();
         for budget in 1..=MOST_STEPS {
             if self.0.len() < budget {
-                self.0.push(Model::ProxyGraph.build(budget as u32));
+                self.0.push(Box::new(ProxyGraph::stopping_after(budget as u32)));
             }
             let stepper = &mut self.0[budget - 1];
             stepper.take_over(from);

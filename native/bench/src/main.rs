@@ -132,8 +132,8 @@ fn measure_frontier(
     notes::note_decimation(&decimated, figures);
     progress("jumps");
     let worst = worst::measure(&rough(&planets[0]), stopwatch);
-    report::print_worst(&worst);
-    notes::note_worst(&worst, figures);
+    report::print_worst(&worst, &scenes);
+    notes::note_worst(&worst, &scenes, figures);
     Ok(())
 }
 

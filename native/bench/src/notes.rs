@@ -1,7 +1,7 @@
 //! Every figure of the tables under its name: `<scene>_<speed>_<model>_<measure>` and the like.
 
 use crate::cache::Warmth;
-use crate::cell::LIMITS;
+use crate::cell::{LIMITS, index_of};
 use crate::conduct::Conduct;
 use crate::contenders::{CONTENDERS, WALK};
 use crate::decimation::{self, DecimationRow};
@@ -11,7 +11,7 @@ use crate::sizes::SizeRow;
 use crate::statistics::share;
 use crate::storage::StorageRow;
 use crate::tables::SceneCells;
-use crate::worst::WorstRow;
+use crate::worst::{WorstRow, worst_p99};
 
 /// Keeps everything that the tables show.
 pub fn note_scenes(scenes: &[SceneCells], figures: &mut Figures) {
@@ -124,9 +124,16 @@ pub fn note_decimation(rows: &[DecimationRow], figures: &mut Figures) {
 }
 
 /// Keeps the worst updates.
-pub fn note_worst(rows: &[WorstRow], figures: &mut Figures) {
+pub fn note_worst(rows: &[WorstRow], scenes: &[SceneCells], figures: &mut Figures) {
     for row in rows {
         figures.set(format!("worst_update_us_{}", row.key), row.microseconds);
+        let [median, p90] = row.first_try;
+        figures.set(format!("worst_update_first_try_us_{}", row.key), median);
+        figures.set(format!("worst_update_first_try_p90_us_{}", row.key), p90);
+        figures.set(format!("worst_update_crease_us_{}", row.key), row.crease);
+        let [hot, cold] = worst_p99(scenes, index_of(row.key));
+        figures.set(format!("worst_p99_hot_us_{}", row.key), hot);
+        figures.set(format!("worst_p99_cold_us_{}", row.key), cold);
         figures.set(format!("worst_update_steps_{}", row.key), row.steps);
         figures.set(format!("worst_update_left_over_{}", row.key), row.left_over);
         figures.set(format!("worst_update_updates_{}", row.key), row.updates);

@@ -88,22 +88,29 @@ impl Stopwatch {
         ticks.into_iter().map(spread).collect()
     }
 
-    /// The least time of three for something that begins the same each time, nanoseconds.
-    pub fn least_of_three<T>(
+    /// The time of the first try and the least of all for something that begins the same each time,
+    /// nanoseconds.
+    pub fn first_and_least_of<T>(
         &self,
+        tries: usize,
         mut begin: impl FnMut(),
         mut run: impl FnMut() -> T,
-    ) -> (f64, T) {
+    ) -> (f64, f64, T) {
         let mut once = || {
             begin();
             let began = clock::start();
             let outcome = run();
             ((clock::stop() - began) as f64 / self.ticks_per_nanosecond, outcome)
         };
-        let first = once();
-        [once(), once()]
-            .into_iter()
-            .fold(first, |least, next| if next.0 < least.0 { next } else { least })
+        let (first, mut outcome) = once();
+        let mut least = first;
+        for _ in 1..tries {
+            let next = once();
+            if next.0 < least {
+                (least, outcome) = next;
+            }
+        }
+        (first, least, outcome)
     }
 
     fn prepare(&self, track: &Track, block: usize, warmth: Warmth) {

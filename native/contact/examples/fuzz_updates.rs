@@ -9,7 +9,7 @@
 //! A sequence is made from its seed alone: a small ground (noise, steps, planes, cliffs; with or
 //! without voids and wrap), a metric, a model, a step budget, and then goals, rests, jumps, broken
 //! goals, changes of metric and switches of model. The first update that breaks a promise, or panics,
-//! ends the sequence: its seed and the updates up to there are the finding. `--seed` runs one
+//! ends the sequence: its seed, the model, and the updates up to there are the finding. `--seed` runs one
 //! sequence again and shows every step; `--model` keeps to one model. An update that does not return
 //! within ten seconds is a finding too. Exits with 1 if anything was found.
 
@@ -19,9 +19,10 @@ mod common;
 use common::models::all_models;
 use common::random_hand::{Ground, RandomHand, cliffs};
 use common::trial::{Broken, Tally, Trial};
-use contact::Model;
+use contact::{MIN_STEP_BUDGET, Model};
 use oracle::terrain::Random;
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
+use std::collections::BTreeMap;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;
 use std::sync::Arc;
@@ -39,9 +40,9 @@ fn main() -> ExitCode {
     let number = |name| argument(name).map(|text| text.parse().expect("a whole number"));
     let only = argument("--model");
     if let Some(seed) = number("--seed") {
-        let steps = Cell::new(0);
-        let result = run(seed, only.as_deref(), &steps, true);
-        println!("{result:?} after {} steps", steps.get());
+        let seen = Seen::default();
+        let result = run(seed, only.as_deref(), &seen, true);
+        println!("{result:?} after {} steps", seen.steps.get());
         return if result.is_ok() { ExitCode::SUCCESS } else { ExitCode::FAILURE };
     }
     // Panics are told with their seed.
@@ -60,27 +61,32 @@ fn fuzz(time: Duration, first: u64, only: Option<&str>) -> ExitCode {
     let current = Arc::new(AtomicU64::new(first));
     watch(&current);
     let begun = Instant::now();
-    let (mut findings, mut tally) = (0, Tally::default());
+    let mut findings = 0;
+    let mut by_model: BTreeMap<String, (Tally, u32)> = BTreeMap::new();
     while begun.elapsed() < time && findings < MOST_FINDINGS {
         let seed = current.load(Ordering::Relaxed);
-        let steps = Cell::new(0);
-        let outcome = catch_unwind(AssertUnwindSafe(|| run(seed, only, &steps, false)));
+        let seen = Seen::default();
+        let outcome = catch_unwind(AssertUnwindSafe(|| run(seed, only, &seen, false)));
         let broken = match outcome {
-            Ok(Ok(seen)) => {
-                tally += seen;
-                None
-            }
+            Ok(Ok(())) => None,
             Ok(Err(broken)) => Some(broken),
             Err(panic) => Some(format!("panic: {}", words_of(&*panic))),
         };
+        for (name, tally) in seen.tallies.take() {
+            by_model.entry(name).or_default().0 += tally;
+        }
         if let Some(broken) = broken {
             findings += 1;
-            println!("seed {seed}, {} steps: {broken}\n", steps.get());
+            by_model.entry(seen.model.take()).or_default().1 += 1;
+            println!("seed {seed}, {} steps: {broken}\n", seen.steps.get());
         }
         current.store(seed + 1, Ordering::Relaxed);
     }
     let sequences = current.load(Ordering::Relaxed) - first;
-    println!("{sequences} sequences in {:.0?}, {findings} findings; {tally}", begun.elapsed());
+    for (name, (tally, findings)) in &by_model {
+        println!("{name}: {findings} findings, {tally}");
+    }
+    println!("{sequences} sequences in {:.0?}, {findings} findings", begun.elapsed());
     if findings == 0 { ExitCode::SUCCESS } else { ExitCode::FAILURE }
 }
 
@@ -104,32 +110,70 @@ fn words_of(panic: &(dyn std::any::Any + Send)) -> String {
     text.or_else(|| panic.downcast_ref::<String>().cloned()).unwrap_or_default()
 }
 
-/// One sequence; `steps` counts how far it came.
-fn run(seed: u64, only: Option<&str>, steps: &Cell<u32>, is_shown: bool) -> Result<Tally, Broken> {
+/// What is known of a sequence, also where it breaks off.
+#[derive(Default)]
+struct Seen {
+    /// How far it came.
+    steps: Cell<u32>,
+    /// The model that answers.
+    model: RefCell<String>,
+    /// What those before it did.
+    tallies: RefCell<Vec<(String, Tally)>>,
+}
+
+impl Seen {
+    /// From now on this model answers.
+    fn begin(&self, model: &Model) {
+        let knob = match model {
+            Model::SurfaceWalk { sub_step: Some(longest) } => format!(" by {longest}"),
+            _ => String::new(),
+        };
+        self.model.replace(format!("{}{knob}", model.name()));
+    }
+
+    /// The model that answered does not answer any more.
+    fn end(&self, trial: &mut Trial) {
+        let tally = std::mem::take(&mut trial.tally);
+        self.tallies.borrow_mut().push((self.model.borrow().clone(), tally));
+    }
+}
+
+/// One sequence.
+fn run(seed: u64, only: Option<&str>, seen: &Seen, is_shown: bool) -> Result<(), Broken> {
     let mut random = Random::new(seed);
     let grid = ground(&mut random);
-    let metric = metric(&mut random);
+    let metric = within_range(metric(&mut random), &grid);
     let (model, budget) = (model(&mut random, &metric, only), budget(&mut random));
     let speed = 10f64.powf(random.between(-3.0, 1.3));
     let reach = 10f64.powf(random.between(-2.0, 3.0));
     let mut hand = RandomHand::new(&grid, speed, reach, seed ^ 0x5EED);
     let mut trial = Trial::over_the_middle(&grid, metric, &model, budget);
+    seen.begin(&model);
     if is_shown {
         show_ground(&grid);
         println!("{metric:?} {model:?} budget {budget}, {:?}", trial.proxy());
     }
     for _ in 0..10 + random.below(150) {
-        steps.set(steps.get() + 1);
+        seen.steps.set(seen.steps.get() + 1);
         let action = Action::any(&mut random, &mut hand, &trial, only);
         if is_shown {
-            println!("{}: {action:?}", steps.get());
+            println!("{}: {action:?}", seen.steps.get());
         }
-        action.take(&mut trial)?;
+        if let Action::Switch(model, _) = &action {
+            seen.end(&mut trial);
+            seen.begin(model);
+        }
+        let taken = action.take(&mut trial);
+        if taken.is_err() {
+            seen.end(&mut trial);
+        }
+        taken?;
         if is_shown {
             println!("    {:?}", trial.proxy());
         }
     }
-    Ok(trial.tally)
+    seen.end(&mut trial);
+    Ok(())
 }
 
 /// What happens next.
@@ -161,11 +205,9 @@ impl Action {
             2 => {
                 let mut power = || 10f64.powf(random.between(-1.0, 1.0));
                 let (column, row, up) = (metric.column, metric.row, metric.up);
-                Self::Zoom(Metric {
-                    column: column * power(),
-                    row: row * power(),
-                    up: up * power(),
-                })
+                let zoomed =
+                    Metric { column: column * power(), row: row * power(), up: up * power() };
+                Self::Zoom(within_range(zoomed, grid))
             }
             3 | 4 => Self::Switch(model(random, &metric, only), budget(random)),
             5 => {
@@ -223,6 +265,17 @@ fn metric(random: &mut Random) -> Metric {
     Metric { column: zoom, row: zoom * power(0.6, 2.0), up: zoom * power(0.6, 6.0) }
 }
 
+/// The metric, brought back to what models are asked to bear: cells up to 100 times longer than wide or
+/// wider than long, and heights from 1e-6 to 1e9 times what a cell is wide.
+fn within_range(metric: Metric, grid: &Grid) -> Metric {
+    let Metric { column, row, up } = metric;
+    let row = row.clamp(column / 100.0, column * 100.0);
+    let height = grid.range().map_or(1.0, |range| range.maximum.abs().max(range.minimum.abs()));
+    // Samples of less than a metre are not asked to be stretched farther for it.
+    let most = 1e9 * column.min(row) / height.max(1.0);
+    Metric { column, row, up: up.clamp(1e-6 * column, most) }
+}
+
 fn model(random: &mut Random, metric: &Metric, only: Option<&str>) -> Model {
     let models = all_models(metric);
     loop {
@@ -234,7 +287,11 @@ fn model(random: &mut Random, metric: &Metric, only: Option<&str>) -> Model {
 }
 
 fn budget(random: &mut Random) -> u32 {
-    if random.unit() < 0.7 { 4096 } else { 64 + random.below(200) as u32 }
+    match random.below(10) {
+        0 => MIN_STEP_BUDGET,
+        1..3 => MIN_STEP_BUDGET + random.below(200) as u32,
+        _ => 4096,
+    }
 }
 
 fn show_ground(grid: &Grid) {

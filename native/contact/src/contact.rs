@@ -3,6 +3,12 @@
 use crate::proxy::Proxy;
 use surface::{Grid, GridPoint, Metric};
 
+/// The least step budget of every model: a smaller one is raised to it.
+///
+/// A step may look all around a vertex, and rounding may lead a proxy around one: what an update begins
+/// there it has to be able to end, or the next update begins the same again, for ever.
+pub const MIN_STEP_BUDGET: u32 = 64;
+
 /// What the proxy lies on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Feature {
@@ -57,8 +63,8 @@ pub struct Contact {
 /// A contact model: state of one proxy, moved toward a goal once in every update.
 ///
 /// An update never panics, never yields NaN, never allocates, and never visits more than the
-/// model's step budget allows: what is left is walked in the next updates. A goal that is not
-/// finite leaves the proxy where it is.
+/// model's step budget (at least [`MIN_STEP_BUDGET`]) allows: what is left is walked in the next updates. A
+/// goal that is not finite leaves the proxy where it is.
 pub trait ContactModel: Send {
     /// The model's name, as people choose it.
     fn name(&self) -> &'static str;

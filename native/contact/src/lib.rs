@@ -25,10 +25,10 @@ mod way;
 mod weights;
 
 pub use choice::Model;
-pub use contact::{Contact, ContactModel, Counters, Feature};
+pub use contact::{Contact, ContactModel, Counters, Feature, MIN_STEP_BUDGET};
 pub use god_object::GodObject;
 pub use god_object_release::GodObjectRelease;
 pub use proxy::{Place, Proxy};
 pub use proxy_graph::ProxyGraph;
-pub use surface_walk::SurfaceWalk;
+pub use surface_walk::{MIN_SUB_STEP, SurfaceWalk};
 pub use virtual_proxy::VirtualProxy;

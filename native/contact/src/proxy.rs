@@ -51,6 +51,16 @@ impl Place {
         !matches!(self, Self::Space(_))
     }
 
+    /// Triangles that are looked at to find the way from there: what a look costs of a step budget.
+    #[inline(always)]
+    pub(crate) fn planes(&self) -> u32 {
+        match self {
+            Self::Space(_) | Self::Face(_) => 1,
+            Self::Edge { .. } => 2,
+            Self::Vertex { .. } => 6,
+        }
+    }
+
     /// The kind of place.
     pub fn feature(&self) -> Feature {
         match self {

@@ -12,13 +12,16 @@ pub(crate) struct Weights {
     pub(crate) up: f64,
     /// `up` over `row`.
     pub(crate) up_over_row: f64,
+    /// The longer side of a cell in its shorter ones: at least 1.
+    pub(crate) aspect: f64,
 }
 
 impl Weights {
     pub(crate) fn new(metric: &Metric) -> Self {
         let (row, up) = (metric.row / metric.column, metric.up / metric.column);
         let up_over_row = metric.up / metric.row;
-        Self { row: row * row, up: up * up, up_over_row: up_over_row * up_over_row }
+        let aspect = row.max(metric.column / metric.row);
+        Self { row: row * row, up: up * up, up_over_row: up_over_row * up_over_row, aspect }
     }
 
     #[inline(always)]

@@ -7,7 +7,7 @@ use common::models::{all_models, is_point};
 use common::random_hand::{Ground, RandomHand};
 use common::trial::{MOST_GROWTH, Trial};
 use common::*;
-use contact::{Feature, Model};
+use contact::{Feature, MIN_STEP_BUDGET, Model};
 use proptest::prelude::*;
 use surface::{Grid, GridPoint, Metric};
 
@@ -98,7 +98,7 @@ proptest! {
     fn small_budgets_are_kept_and_come_to_an_end(
         seed in 0u64..1_000_000,
         slope in -2.0f64..3.0,
-        budget in 8u32..40,
+        budget in MIN_STEP_BUDGET..2 * MIN_STEP_BUDGET,
         speed in 0.1f64..20.0,
     ) {
         let slope = 10f64.powf(slope);
@@ -118,18 +118,18 @@ proptest! {
         }
     }
 
-    /// A circle of the graph, and the constraints of a god-object that moves nowhere, may take more steps
-    /// than one update has: the next one has to know of them.
+    /// A circle of the graph, of the walk around a vertex, and the constraints of a god-object that moves
+    /// nowhere, may take more steps than one update has: the next one has to know of them.
     #[test]
     fn what_takes_several_updates_in_one_place_comes_to_an_end(
         seed in 0u64..1_000_000,
         slope in -2.0f64..3.0,
-        budget in 1u32..8,
+        budget in 1..MIN_STEP_BUDGET + 8,
         speed in 0.1f64..20.0,
     ) {
         let slope = 10f64.powf(slope);
         let grid = Ground::noise(20, 20, slope).grid(&mut Random::new(seed));
-        for model in [Model::ProxyGraph, Model::GodObject] {
+        for model in all_models(&SQUARE) {
             let mut hand = RandomHand::new(&grid, speed, 1.0 + slope, seed);
             let mut trial = Trial::over_the_middle(&grid, SQUARE, &model, budget);
             for _ in 0..20 {

@@ -5,25 +5,25 @@ mod common;
 use common::random_hand::Ground;
 use common::trial::Trial;
 use common::*;
-use contact::{ContactModel, Feature, GodObject, Model};
+use contact::{ContactModel, Feature, GodObject, MIN_STEP_BUDGET, Model};
 use surface::{Grid, GridPoint, Metric};
 
-/// Flat ground at height 0 with a trench of void from column 10 to column 30.
+/// Flat ground at height 0 with a trench of void from column 10 to column 210.
 fn ground_with_a_void_trench() -> Grid {
-    grid(11, 60, false, |column, _| if (11..30).contains(&column) { f64::NAN } else { 0.0 })
+    grid(11, 240, false, |column, _| if (11..210).contains(&column) { f64::NAN } else { 0.0 })
 }
 
 /// The budget may end in the midst of the hole: there no plane holds the proxy either.
 #[test]
 fn over_a_hole_it_is_out_of_contact_wherever_the_budget_ends() {
     let ground = ground_with_a_void_trench();
-    for budget in 3..60 {
+    for budget in MIN_STEP_BUDGET..2 * MIN_STEP_BUDGET {
         let mut model = GodObject::new(budget);
         model.place(GridPoint::new(5.2, 5.3, 0.1));
         model.update(&ground, &SQUARE, &GridPoint::new(5.2, 5.3, -0.5));
         for _ in 0..40 {
-            let contact = model.update(&ground, &SQUARE, &GridPoint::new(50.2, 5.4, -0.5));
-            let is_over_hole = contact.proxy.columns() > 10.0 && contact.proxy.columns() < 30.0;
+            let contact = model.update(&ground, &SQUARE, &GridPoint::new(230.2, 5.4, -0.5));
+            let is_over_hole = contact.proxy.columns() > 10.0 && contact.proxy.columns() < 210.0;
             assert!(!is_over_hole || contact.feature == Feature::Free, "{budget}: {contact:?}");
             let depth = depth_below_surface(&ground, &contact);
             assert!(contact.feature == Feature::Free || depth <= 0.0, "{budget}: {contact:?}");

@@ -3,7 +3,7 @@
 mod common;
 
 use common::*;
-use contact::{ContactModel, Feature, ProxyGraph};
+use contact::{ContactModel, Feature, MIN_STEP_BUDGET, ProxyGraph};
 use proptest::prelude::*;
 use surface::{Grid, GridPoint};
 
@@ -142,17 +142,17 @@ fn broken_goals_leave_the_proxy_where_it_is() {
 
 #[test]
 fn a_goal_beyond_the_budget_is_reached_over_the_next_updates() {
-    let grid = hills(200, 0.1, 11);
-    let mut patient = ProxyGraph::new(10);
+    let grid = hills(1000, 0.1, 11);
+    let mut patient = ProxyGraph::new(MIN_STEP_BUDGET);
     patient.place(GridPoint::new(5.0, 5.0, 20.0));
     let mut quick = proxy_at(5.0, 5.0, 20.0);
-    let goal = GridPoint::new(190.3, 180.7, grid.range().unwrap().minimum - 3.0);
+    let goal = GridPoint::new(990.3, 980.7, grid.range().unwrap().minimum - 3.0);
     let expected = quick.update(&grid, &SQUARE, &goal);
     let (mut updates, mut left) = (0, u32::MAX);
     loop {
         let contact = patient.update(&grid, &SQUARE, &goal);
         updates += 1;
-        assert!(contact.counters.vertices + contact.counters.cells <= 10);
+        assert!(contact.counters.vertices + contact.counters.cells <= MIN_STEP_BUDGET);
         if contact.counters.steps_left == 0 {
             assert_eq!((contact.proxy, contact.feature), (expected.proxy, expected.feature));
             break;

@@ -199,9 +199,10 @@ fn broken_goals_and_metrics_leave_the_proxy_where_it_is() {
 
 #[test]
 fn a_goal_beyond_the_budget_is_reached_over_the_next_updates() {
-    let grid = hills(200, 0.1, 11);
-    let goal = GridPoint::new(190.3, 180.7, grid.range().unwrap().minimum - 3.0);
-    for (rival, budget) in RIVALS.iter().zip([10, 10, 100]) {
+    let grid = hills(400, 0.1, 11);
+    let goal = GridPoint::new(390.3, 380.7, grid.range().unwrap().minimum - 3.0);
+    for rival in RIVALS {
+        let budget = rival.min_step_budget();
         let mut patient = rival.build(budget);
         patient.place(GridPoint::new(5.0, 5.0, 20.0));
         let (mut updates, mut has_arrived) = (0, false);

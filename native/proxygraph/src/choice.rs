@@ -2,9 +2,10 @@
 
 use crate::errors::value_error;
 use crate::numbers::Whole;
-use contact::{ContactModel, Model};
+use contact::{ContactModel, MIN_STEP_BUDGET, MIN_SUB_STEP, Model};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
+use surface::Metric;
 
 /// Workspace metres: the default radius of a session's sphere. The tip of a stylus is as blunt.
 pub const RADIUS_IN_HAND: f64 = 0.001;
@@ -63,6 +64,7 @@ pub struct Knobs {
 /// A model that can be built.
 pub struct Choice {
     model: Model,
+    /// Of an update: as asked for, or the model's floor.
     pub step_budget: u32,
 }
 
@@ -71,6 +73,12 @@ impl Choice {
     pub fn new(name: &str, knobs: &Knobs, default_radius: f64) -> PyResult<Self> {
         let model = named(name)?;
         let sub_step = checked("sub_step", "cells", knobs.sub_step)?;
+        if let Some(cells) = sub_step.filter(|cells| *cells < MIN_SUB_STEP) {
+            return Err(value_error(format!(
+                "sub_step is {cells}; expected at least {MIN_SUB_STEP} cells: in shorter ones a budget of \
+                 steps leads nowhere"
+            )));
+        }
         let radius = checked("radius", "workspace metres", knobs.radius)?;
         let model = match model {
             Model::SurfaceWalk { .. } => Model::SurfaceWalk { sub_step },
@@ -86,10 +94,15 @@ impl Choice {
             refuse("radius", radius, model, "virtual_proxy")?;
         }
         let step_budget = match knobs.step_budget {
-            Some(steps) => steps.positive("step_budget").map_err(value_error)?,
+            Some(steps) => steps.at_least(MIN_STEP_BUDGET, "step_budget").map_err(value_error)?,
             None => model.default_step_budget(),
         };
-        Ok(Self { model, step_budget })
+        Ok(Self { model, step_budget: step_budget.max(model.min_step_budget()) })
+    }
+
+    /// The sphere's radius under this metric, workspace metres, as the budget allows it; `None` for points.
+    pub fn radius(&self, metric: &Metric) -> Option<f64> {
+        self.model.radius_in_force(self.step_budget, metric)
     }
 
     pub fn build(&self) -> Box<dyn ContactModel> {

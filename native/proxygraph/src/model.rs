@@ -18,6 +18,7 @@ pub struct ContactModel {
     model: Mutex<Box<dyn contact::ContactModel>>,
     name: &'static str,
     step_budget: u32,
+    radius: Option<f64>,
 }
 
 #[pymethods]
@@ -51,7 +52,8 @@ impl ContactModel {
         let choice = Choice::new(model, &knobs, 0.5 * metric.column)?;
         let model = choice.build();
         let (name, step_budget) = (model.name(), choice.step_budget);
-        Ok(Self { grid, metric, model: Mutex::new(model), name, step_budget })
+        let radius = choice.radius(&metric);
+        Ok(Self { grid, metric, model: Mutex::new(model), name, step_budget, radius })
     }
 
     #[getter]
@@ -62,6 +64,11 @@ impl ContactModel {
     #[getter]
     fn step_budget(&self) -> u32 {
         self.step_budget
+    }
+
+    #[getter]
+    fn radius(&self) -> Option<f64> {
+        self.radius
     }
 
     fn place(&mut self, east: f64, north: f64, up: f64) {

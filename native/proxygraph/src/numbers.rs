@@ -37,11 +37,11 @@ impl Whole {
 }
 
 impl Whole {
-    /// The number as `u32`, at least 1, or words that name the field.
-    pub fn positive(self, field: &str) -> Result<u32, String> {
-        let number = self.fitting().filter(|number| *number > 0);
+    /// The number as `u32`, at least `least`, or words that name the field.
+    pub fn at_least(self, least: u32, field: &str) -> Result<u32, String> {
+        let number = self.fitting().filter(|number| *number >= least);
         number.ok_or_else(|| {
-            format!("{field} is {self}; expected a whole number from 1 to {}", u32::LARGEST)
+            format!("{field} is {self}; expected a whole number from {least} to {}", u32::LARGEST)
         })
     }
 }

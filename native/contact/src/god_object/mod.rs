@@ -26,7 +26,7 @@
 
 mod constraints;
 
-use crate::contact::{Contact, ContactModel, Counters, Feature};
+use crate::contact::{Contact, ContactModel, Counters, Feature, MIN_STEP_BUDGET};
 use crate::distance::Distance;
 use crate::planes::{Scale, project};
 use crate::proxy::{Place, Proxy};
@@ -88,10 +88,11 @@ enum Move {
 
 impl GodObject {
     /// A proxy at sample (0, 0), out of contact, that may take `step_budget` steps in one update (at
-    /// least 2): projections, and cells of collision tests.
+    /// least [`MIN_STEP_BUDGET`]): projections, and cells of collision tests.
     pub fn new(step_budget: u32) -> Self {
         let proxy = Proxy::in_space(GridPoint::new(0.0, 0.0, 0.0));
-        Self { step_budget: step_budget.max(2), proxy, feature: Feature::Free, unfinished: None }
+        let step_budget = step_budget.max(MIN_STEP_BUDGET);
+        Self { step_budget, proxy, feature: Feature::Free, unfinished: None }
     }
 
     /// Goes on from `progress`, and gives what is reached of it.

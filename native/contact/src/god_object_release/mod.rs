@@ -26,7 +26,7 @@
 
 mod constraint;
 
-use crate::contact::{Contact, ContactModel, Counters};
+use crate::contact::{Contact, ContactModel, Counters, MIN_STEP_BUDGET};
 use crate::distance::Distance;
 use crate::proxy::{Place, Proxy};
 use crate::way::{ahead, cells_between, target};
@@ -83,10 +83,10 @@ enum Step {
 
 impl GodObjectRelease {
     /// A proxy at sample (0, 0), out of contact, that may take `step_budget` steps in one update (at
-    /// least 1): constraint changes, and cells of collision tests.
+    /// least [`MIN_STEP_BUDGET`]): planes looked at for what holds it, and cells of collision tests.
     pub fn new(step_budget: u32) -> Self {
         let proxy = Proxy::in_space(GridPoint::new(0.0, 0.0, 0.0));
-        Self { step_budget: step_budget.max(1), proxy }
+        Self { step_budget: step_budget.max(MIN_STEP_BUDGET), proxy }
     }
 
     fn minimise<S: Sample>(&mut self, search: &Search<S>, counters: &mut Counters) {
@@ -95,7 +95,9 @@ impl GodObjectRelease {
             (self.proxy, Distance::new(&self.proxy.position, &target, &search.weights));
         let mut idle_steps = 0;
         loop {
-            if counters.steps() >= self.step_budget {
+            if counters.steps() + self.proxy.place.planes() > self.step_budget {
+                // Where it came nearest, so that every update gains: an idle tail may lead away.
+                self.proxy = nearest.0;
                 counters.steps_left = cells_between(&self.proxy.position, &target);
                 return;
             }
@@ -123,18 +125,18 @@ impl GodObjectRelease {
         target: &GridPoint,
         counters: &mut Counters,
     ) -> Step {
-        match search.held(&self.proxy, target) {
+        let held = search.held(&self.proxy, target);
+        if !matches!(held, Held::Free(_)) {
+            counters.faces += self.proxy.place.planes();
+        }
+        match held {
             Held::Free(start) => self.free_move(search, target, start, counters),
             Held::Face(constraint, slide) => self.slide(search, &constraint, &slide, counters),
             Held::Edge(line) => {
-                counters.faces += 1;
                 self.slide_along(search, target, &line);
                 Step::GoOn
             }
-            Held::Vertex => {
-                counters.faces += 1;
-                Step::GoOn
-            }
+            Held::Vertex => Step::GoOn,
         }
     }
 
@@ -175,7 +177,6 @@ impl GodObjectRelease {
         slide: &Slide,
         counters: &mut Counters,
     ) -> Step {
-        counters.faces += 1;
         let foot = constraint.foot(slide);
         if !foot.is_finite() {
             return Step::GoOn;

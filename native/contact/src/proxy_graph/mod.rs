@@ -21,7 +21,8 @@
 mod ring;
 mod visited;
 
-use crate::contact::{Contact, ContactModel, Counters};
+use crate::contact::{Contact, ContactModel, Counters, MIN_STEP_BUDGET};
+use crate::distance::Distance;
 use crate::proxy::{Place, Proxy};
 use crate::way::{ahead, cells_between, target};
 use crate::weights::Weights;
@@ -29,7 +30,7 @@ use ring::{Minimum, Ring};
 use surface::lattice::{clockwise, face};
 use surface::ray::{RayEnd, Side, Start, cast};
 use surface::{Grid, GridPoint, Heightfield, Metric, Sample, Triangle, on_heightfield};
-use visited::VisitedVertices;
+use visited::{Visit, VisitedVertices};
 
 /// The paper's contact model.
 pub struct ProxyGraph {
@@ -42,6 +43,8 @@ pub struct ProxyGraph {
     left: VisitedVertices,
     /// Vertices from which they stepped over a far edge (paper 3.3).
     far_steps: VisitedVertices,
+    /// How near the proxy was when one of the lists was full last.
+    full_at: Option<Distance>,
 }
 
 /// How free-space minimisation went on.
@@ -70,16 +73,23 @@ struct Search<'a, S> {
 
 impl ProxyGraph {
     /// A proxy at sample (0, 0), out of contact, that may visit `step_budget` vertices and
-    /// free-space cells in one update (at least 1).
+    /// free-space cells in one update (at least [`MIN_STEP_BUDGET`]).
     pub fn new(step_budget: u32) -> Self {
         Self {
-            step_budget: step_budget.max(1),
+            step_budget: step_budget.max(MIN_STEP_BUDGET),
             position: GridPoint::new(0.0, 0.0, 0.0),
             place: Place::Space(Side::Unknown),
             unfinished: None,
             left: VisitedVertices::new(),
             far_steps: VisitedVertices::new(),
+            full_at: None,
         }
+    }
+
+    /// The same that stops after so many steps, also below the floor: for tools that trace its way. Such
+    /// a proxy need not come to an end.
+    pub fn stopping_after(steps: u32) -> Self {
+        Self { step_budget: steps.max(1), ..Self::new(steps) }
     }
 
     fn minimise<S: Sample>(&mut self, search: &Search<S>, counters: &mut Counters) {
@@ -98,7 +108,7 @@ impl ProxyGraph {
     }
 
     /// Forgets which vertices were visited, unless this update goes on with one that was not finished:
-    /// a circle may be longer than a budget. A full list is from a long way.
+    /// a circle may be longer than a budget. A full list is from a long way, and begins anew.
     fn recall(&mut self, goal: &GridPoint) {
         let goes_on = self.unfinished.take() == Some(*goal);
         for visited in [&mut self.left, &mut self.far_steps] {
@@ -106,6 +116,31 @@ impl ProxyGraph {
                 visited.clear();
             }
         }
+        if !goes_on {
+            self.full_at = None;
+        }
+    }
+
+    /// Whether a vertex, where the proxy is, was visited before. Where a list has no room for it, the
+    /// way there was long, and `None` leaves the rest of it to the next update; if it came no nearer since
+    /// that happened last, it is a circle longer than the list.
+    fn was_before<S: Sample>(
+        &mut self,
+        search: &Search<S>,
+        target: &GridPoint,
+        visit: Visit,
+        counters: &mut Counters,
+    ) -> Option<bool> {
+        if visit != Visit::NoRoom {
+            return Some(visit == Visit::Again);
+        }
+        let distance = Distance::new(&self.position, target, &search.weights);
+        let before = self.full_at.replace(distance);
+        if before.is_some_and(|before| !distance.is_less_than(&before)) {
+            return Some(true);
+        }
+        counters.steps_left = cells_between(&self.position, target);
+        None
     }
 
     /// Moves the proxy straight toward the goal until it meets a triangle (paper 3.2).
@@ -124,9 +159,12 @@ impl ProxyGraph {
                 _ => Start::Space(Side::Unknown),
             },
         };
-        let is_second_time = match self.place {
-            Place::Vertex { column, row } => !self.left.insert(column, row),
-            _ => false,
+        let visit = match self.place {
+            Place::Vertex { column, row } => self.left.visit(column, row),
+            _ => Visit::First,
+        };
+        let Some(is_second_time) = self.was_before(search, &target, visit, counters) else {
+            return FreeSpace::Ended;
         };
 
         let most_cells = self.step_budget - counters.steps();
@@ -206,8 +244,15 @@ impl ProxyGraph {
                     return Constrained::Ended;
                 }
                 Minimum::BeyondFarEdge { k, share, nearest } => {
+                    let visit = self.far_steps.visit(column, row);
+                    if visit == Visit::NoRoom {
+                        self.stand_on(&ring);
+                    }
+                    let Some(is_loop) = self.was_before(search, &target, visit, counters) else {
+                        return Constrained::Ended;
+                    };
                     counters.far_edge_crossings += 1;
-                    if !self.far_steps.insert(column, row) {
+                    if is_loop {
                         counters.far_edge_loops += 1;
                         self.rest_on_far_edge(search.field, &ring, k, share);
                         return Constrained::Ended;

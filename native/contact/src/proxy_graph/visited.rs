@@ -4,6 +4,17 @@
 /// handful (paper 4.4: far-edge crossings in 3.5% of updates); the list exists to end the rest.
 const CAPACITY: usize = 64;
 
+/// What a list knew of a vertex.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Visit {
+    /// Nothing.
+    First,
+    /// It was there before: a circle.
+    Again,
+    /// Nothing, and there is no room for it: a long way.
+    NoRoom,
+}
+
 /// Vertices met so far; memory is allocated once.
 pub(super) struct VisitedVertices {
     vertices: Vec<(i64, i64)>,
@@ -22,14 +33,16 @@ impl VisitedVertices {
         self.vertices.len() >= CAPACITY
     }
 
-    /// Adds a vertex; false where it was there already, or where the list is full and a circle has
-    /// to be assumed.
-    pub(super) fn insert(&mut self, column: i64, row: i64) -> bool {
-        let is_new = !self.is_full() && !self.vertices.contains(&(column, row));
-        if is_new {
-            self.vertices.push((column, row));
+    /// Adds a vertex, where it was not there and there is room.
+    pub(super) fn visit(&mut self, column: i64, row: i64) -> Visit {
+        if self.vertices.contains(&(column, row)) {
+            return Visit::Again;
         }
-        is_new
+        if self.is_full() {
+            return Visit::NoRoom;
+        }
+        self.vertices.push((column, row));
+        Visit::First
     }
 }
 
@@ -38,15 +51,16 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_vertex_is_new_once_and_a_full_list_takes_none() {
+    fn a_vertex_is_new_once_and_a_full_list_tells_a_circle_from_a_long_way() {
         let mut visited = VisitedVertices::new();
-        assert!(visited.insert(1, 2));
-        assert!(!visited.insert(1, 2));
+        assert_eq!(visited.visit(1, 2), Visit::First);
+        assert_eq!(visited.visit(1, 2), Visit::Again);
         for column in 1..CAPACITY as i64 {
-            assert!(visited.insert(column, 9));
+            assert_eq!(visited.visit(column, 9), Visit::First);
         }
-        assert!(!visited.insert(0, 0));
+        assert_eq!(visited.visit(0, 0), Visit::NoRoom);
+        assert_eq!(visited.visit(1, 2), Visit::Again);
         visited.clear();
-        assert!(visited.insert(0, 0));
+        assert_eq!(visited.visit(0, 0), Visit::First);
     }
 }

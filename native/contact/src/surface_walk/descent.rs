@@ -19,6 +19,12 @@ pub(super) enum Descent {
     GoesOn,
 }
 
+/// A rest on an edge is one on its vertex within so many steps of the last place of the way to the goal.
+const BESIDE_VERTEX: f64 = 4.0 * f64::EPSILON;
+
+/// No rest farther from a vertex, as a share of the edge, is asked whether it is one on it.
+const FARTHEST_BESIDE: f64 = 1e-6;
+
 /// For each face k of a vertex, which corner of the face the vertex is (see [`Face`]).
 const CORNER: [usize; 6] = [0, 2, 1, 0, 2, 1];
 
@@ -77,7 +83,8 @@ impl<S: Sample> Walk<'_, '_, S> {
 
     #[inline(always)]
     fn descend_from_edge(&mut self, edge: LatticeEdge, counters: &mut Counters) -> Descent {
-        counters.faces += 1;
+        // Both faces beside it are looked at.
+        counters.faces += 2;
         let (triangle, side) = edge.north_eastern();
         let first = Face::new(self.search, &triangle);
         let second = first.across(side, self.search);
@@ -103,7 +110,8 @@ impl<S: Sample> Walk<'_, '_, S> {
 
     #[inline(never)]
     fn descend_from_vertex(&mut self, column: i64, row: i64, counters: &mut Counters) -> Descent {
-        counters.faces += 1;
+        // All faces around it are looked at.
+        counters.faces += 6;
         self.stand_on_vertex(column, row);
         let elevation = self.proxy.position.elevation;
         let goal = self.search.target.relative_to(column, row, elevation);
@@ -113,10 +121,11 @@ impl<S: Sample> Walk<'_, '_, S> {
             return Descent::Open(faces[ahead].triangle());
         }
         let distance = self.search.weights.squared(goal);
-        if !self.comes_nearer(distance) {
+        if !self.progress.comes_nearer(distance) {
             return Descent::AtRest;
         }
 
+        let beside = self.beside_vertex(goal);
         let mut best = (0.0, None);
         for (k, face) in faces.iter().enumerate() {
             if face.goal_height <= 0.0 && face.foot_is_ahead_of(CORNER[k]) {
@@ -126,7 +135,7 @@ impl<S: Sample> Walk<'_, '_, S> {
                 }
             }
             let is_way = faces[counterclockwise(k)].norm.is_finite() || face.norm.is_finite();
-            let gain = if is_way { self.gain_along(column, row, k, goal) } else { 0.0 };
+            let gain = if is_way { self.gain_along(column, row, k, goal, beside) } else { 0.0 };
             if gain > best.0 {
                 best = (gain, Some((k, false)));
             }
@@ -197,11 +206,42 @@ impl<S: Sample> Walk<'_, '_, S> {
         let goal = self.search.target.relative_to(column, row, start);
         let vector = [EAST[k] as f64, SOUTH[k] as f64, rise];
         let along = self.search.weights.product(goal, vector) / self.search.weights.squared(vector);
+        if along.min(1.0 - along) < FARTHEST_BESIDE {
+            return self.rest_beside_vertex(edge, along, goal);
+        }
         self.stand_on_edge(edge, along);
         match self.proxy.place {
             Place::Vertex { .. } => Descent::GoesOn,
             _ => Descent::AtRest,
         }
+    }
+
+    /// A rest so near to the end of an edge that rounding makes no difference is on the vertex: there the
+    /// other faces and edges have a say, and on steep ground most of all. It is the edge's own closest
+    /// point, so that the distance is the same there to the second order.
+    #[cold]
+    #[inline(never)]
+    fn rest_beside_vertex(&mut self, edge: LatticeEdge, along: f64, goal: [f64; 3]) -> Descent {
+        let LatticeEdge { k, .. } = edge;
+        let from_end = [goal[0] - EAST[k] as f64, goal[1] - SOUTH[k] as f64, goal[2]];
+        let along = if along <= self.beside_vertex(goal) {
+            0.0
+        } else if 1.0 - along <= self.beside_vertex(from_end) {
+            1.0
+        } else {
+            along
+        };
+        self.stand_on_edge(edge, along);
+        match self.proxy.place {
+            Place::Vertex { .. } => Descent::GoesOn,
+            _ => Descent::AtRest,
+        }
+    }
+
+    /// The share of an edge that rounding makes of a goal so far from its vertex over the ground.
+    fn beside_vertex(&self, goal: [f64; 3]) -> f64 {
+        let cells = self.search.weights.aspect * (goal[0].abs() + goal[1].abs());
+        (BESIDE_VERTEX * (1.0 + cells)).min(FARTHEST_BESIDE)
     }
 
     /// Rests at the goal's foot. Where rounding cannot tell it from a place on an edge, the face across
@@ -218,7 +258,7 @@ impl<S: Sample> Walk<'_, '_, S> {
         let share_b = share(face.foot[1] * scale).min(1.0 - share_c);
         self.proxy.position = face.point(share_b, share_c);
         self.proxy.place = Place::Face(face.triangle());
-        let rounding = face.rounding();
+        let rounding = face.rounding(self.search);
         let is_on = |edge: &usize| face.foot[*edge] <= rounding && entered != Some(*edge);
         match (0..3).find(is_on) {
             None => Descent::AtRest,
@@ -230,7 +270,7 @@ impl<S: Sample> Walk<'_, '_, S> {
     #[inline(never)]
     fn ask_across(&mut self, face: &Face, edge: usize, counters: &mut Counters) -> Descent {
         let distance = self.search.squared_distance(&self.proxy.position);
-        if !self.comes_nearer(distance) || counters.steps() >= self.step_budget {
+        if !self.progress.comes_nearer(distance) || counters.steps() >= self.step_budget {
             return Descent::AtRest;
         }
         let start = if edge == 0 { 1 } else { 0 };
@@ -273,13 +313,14 @@ impl<S: Sample> Walk<'_, '_, S> {
     }
 
     /// The squared distance saved by going along edge `k` of a vertex to the point nearest to the
-    /// goal on its line.
-    fn gain_along(&self, column: i64, row: i64, k: usize, goal: [f64; 3]) -> f64 {
+    /// goal on its line; none where that is the vertex, to within the share `beside`.
+    fn gain_along(&self, column: i64, row: i64, k: usize, goal: [f64; 3], beside: f64) -> f64 {
         let field = self.search.field;
         let rise = field.elevation(column + EAST[k], row + SOUTH[k]) - field.elevation(column, row);
         let vector = [EAST[k] as f64, SOUTH[k] as f64, rise];
         let product = self.search.weights.product(vector, goal);
-        if product > 0.0 { product * product / self.search.weights.squared(vector) } else { 0.0 }
+        let along = product / self.search.weights.squared(vector);
+        if along > beside { product * along } else { 0.0 }
     }
 }
 

@@ -112,9 +112,10 @@ impl Face {
 
     /// What rounding can make of a foot that lies on an edge.
     #[inline(always)]
-    pub(super) fn rounding(&self) -> f64 {
+    pub(super) fn rounding<S>(&self, search: &Search<S>) -> f64 {
         let [x, y] = self.goal;
-        8.0 * f64::EPSILON * self.norm * (1.0 + x.abs() + y.abs())
+        let cells = search.weights.aspect * (x.abs() + y.abs());
+        8.0 * f64::EPSILON * self.norm * (1.0 + cells)
     }
 
     #[inline(always)]

@@ -12,6 +12,10 @@
 //! proxy graph, where it does not hold). A goal that is still is answered with the same proxy, bit
 //! for bit, from the update on that has no steps left.
 //!
+//! "Local minimum" is meant to within rounding: on ground up to a thousand million cells high no test
+//! finds a nearer place around the proxy. Higher ground has minima whose depth is below all rounding, and
+//! whether the walk stops in one of them is chance.
+//!
 //! * [`section`]: the long way, along the straight section toward the goal while that descends gently.
 //! * [`sub_steps`]: the goal led over its way in parts.
 //! * [`descent`]: steepest descent from face to face.
@@ -31,7 +35,7 @@ mod search;
 mod section;
 mod sub_steps;
 
-use crate::contact::{Contact, ContactModel, Counters};
+use crate::contact::{Contact, ContactModel, Counters, MIN_STEP_BUDGET};
 use crate::proxy::{Place, Proxy};
 use crate::way::cells_between;
 use crate::weights::Weights;
@@ -56,21 +60,41 @@ pub struct SurfaceWalk {
     foresight: Foresight,
     /// It is at rest with the goal that it follows.
     is_at_rest: bool,
+    /// How the descent toward that goal went on, where the budget ended before it did.
+    unfinished: Option<Progress>,
+}
+
+/// Whether a descent still comes nearer.
+#[derive(Clone, Copy)]
+struct Progress {
+    /// The smallest squared distance at which it came by a vertex.
+    nearest: f64,
+    /// Vertices since then.
+    stalls: u32,
 }
 
 /// A circle around a vertex has six neighbours; where heights drown what is level, more than one may be
 /// level in turn.
 const MOST_STALLS: u32 = 12;
 
+/// Cells; a sub-step is not shorter. A budget of steps would not take a hand anywhere in shorter ones, and
+/// touch nothing in doing so.
+pub const MIN_SUB_STEP: f64 = 0.01;
+
 const UNIT: Metric = Metric { column: 1.0, row: 1.0, up: 1.0 };
 
 impl SurfaceWalk {
     /// A proxy at sample (0, 0), out of contact, that may look at `step_budget` places of the surface
-    /// and free-space cells in one update (at least 1). With `sub_step`, the goal moves no further
-    /// than that many cells over the ground at a time, which follows a fast hand more faithfully.
+    /// and free-space cells in one update (at least [`MIN_STEP_BUDGET`]). With `sub_step`, the goal moves no
+    /// further than that many cells over the ground at a time, which follows a fast hand more faithfully.
+    ///
+    /// # Panics
+    /// Where `sub_step` is not finite, or shorter than [`MIN_SUB_STEP`].
     pub fn new(step_budget: u32, sub_step: Option<f64>) -> Self {
+        let is_usable = |longest: f64| longest.is_finite() && longest >= MIN_SUB_STEP;
+        assert!(sub_step.is_none_or(is_usable), "a sub-step is not too short: {sub_step:?}");
         Self {
-            step_budget: step_budget.max(1),
+            step_budget: step_budget.max(MIN_STEP_BUDGET),
             sub_step,
             proxy: Proxy::in_space(GridPoint::new(0.0, 0.0, 0.0)),
             metric: UNIT,
@@ -78,6 +102,7 @@ impl SurfaceWalk {
             followed: None,
             foresight: Foresight::default(),
             is_at_rest: false,
+            unfinished: None,
         }
     }
 
@@ -85,7 +110,11 @@ impl SurfaceWalk {
     #[inline(always)]
     fn follow(&mut self, grid: &Grid, weights: Weights, goal: &GridPoint, counters: &mut Counters) {
         let followed = self.followed;
-        let is_still = self.is_at_rest && followed == Some(*goal);
+        let is_same = followed == Some(*goal);
+        let is_still = self.is_at_rest && is_same;
+        if !is_same {
+            self.unfinished = None;
+        }
         on_heightfield!(grid, field => {
             let search = Search::new(&field, weights, goal);
             self.followed = Some(*goal);
@@ -122,6 +151,8 @@ impl SurfaceWalk {
             self.followed = Some(goal);
             self.follow_one(&Search::new(search.field, search.weights, &goal), counters);
             if counters.steps_left > 0 {
+                // Of the goal's way, not only of the part that was begun.
+                counters.steps_left = cells_between(&self.proxy.position, &search.target);
                 return;
             }
         }
@@ -150,7 +181,11 @@ impl SurfaceWalk {
     #[inline(always)]
     fn follow_one<S: Sample>(&mut self, search: &Search<S>, counters: &mut Counters) {
         let before = self.proxy;
-        self.walk(search).follow(counters);
+        let mut walk = self.walk(search);
+        walk.follow(counters);
+        let progress = walk.progress;
+        // A circle may be longer than a budget: the next update has to know of it.
+        self.unfinished = (counters.steps_left > 0).then_some(progress);
         if !self.proxy.position.is_finite() {
             self.proxy = before;
         }
@@ -162,7 +197,8 @@ impl SurfaceWalk {
         search: &'walk Search<'field, S>,
     ) -> Walk<'walk, 'field, S> {
         let step_budget = self.step_budget;
-        Walk { search, proxy: &mut self.proxy, step_budget, nearest: f64::INFINITY, stalls: 0 }
+        let progress = self.unfinished.unwrap_or(Progress::NONE);
+        Walk { search, proxy: &mut self.proxy, step_budget, progress }
     }
 }
 
@@ -179,6 +215,7 @@ impl ContactModel for SurfaceWalk {
         self.proxy = proxy;
         self.followed = None;
         self.is_at_rest = false;
+        self.unfinished = None;
     }
 
     fn update(&mut self, grid: &Grid, metric: &Metric, goal: &GridPoint) -> Contact {
@@ -187,6 +224,7 @@ impl ContactModel for SurfaceWalk {
             self.metric = *metric;
             self.weights = metric.is_valid().then(|| Weights::new(metric));
             self.is_at_rest = false;
+            self.unfinished = None;
         }
         if let Some(weights) = self.weights
             && goal.is_finite()
@@ -202,10 +240,22 @@ struct Walk<'walk, 'field, S> {
     search: &'walk Search<'field, S>,
     proxy: &'walk mut Proxy,
     step_budget: u32,
-    /// The smallest squared distance at which the descent came by a vertex.
-    nearest: f64,
-    /// Vertices since then.
-    stalls: u32,
+    progress: Progress,
+}
+
+impl Progress {
+    const NONE: Self = Self { nearest: f64::INFINITY, stalls: 0 };
+
+    /// Notes a squared distance on the way; false where it has not fallen for so many places that
+    /// rounding must be leading the walk in a circle.
+    fn comes_nearer(&mut self, distance: f64) -> bool {
+        if distance < self.nearest {
+            *self = Self { nearest: distance, stalls: 0 };
+        } else {
+            self.stalls += 1;
+        }
+        self.stalls <= MOST_STALLS
+    }
 }
 
 impl<S: Sample> Walk<'_, '_, S> {
@@ -221,7 +271,7 @@ impl<S: Sample> Walk<'_, '_, S> {
             self.follow_section(counters);
         }
         loop {
-            if !self.can_afford(counters) {
+            if !self.can_afford(self.proxy.place.planes(), counters) {
                 return;
             }
             match self.descend(has_landed, counters) {
@@ -232,7 +282,7 @@ impl<S: Sample> Walk<'_, '_, S> {
                     return;
                 }
                 Descent::Open(triangle) => {
-                    self.nearest = f64::INFINITY;
+                    self.progress.nearest = f64::INFINITY;
                     if !self.fly(Start::Surface(triangle), counters) {
                         return;
                     }
@@ -255,7 +305,7 @@ impl<S: Sample> Walk<'_, '_, S> {
     /// Moves the proxy straight toward the goal (paper 3.2); whether it met a triangle.
     #[inline(always)]
     fn fly(&mut self, start: Start, counters: &mut Counters) -> bool {
-        if !self.can_afford(counters) {
+        if !self.can_afford(1, counters) {
             return false;
         }
         counters.collision_tests += 1;
@@ -282,10 +332,10 @@ impl<S: Sample> Walk<'_, '_, S> {
         self.search.goal == self.search.target
     }
 
-    /// Whether the budget has a step left; if not, what is left to walk is noted.
+    /// Whether the budget has so many steps left; if not, what is left to walk is noted.
     #[inline(always)]
-    fn can_afford(&self, counters: &mut Counters) -> bool {
-        let can = counters.steps() < self.step_budget;
+    fn can_afford(&self, steps: u32, counters: &mut Counters) -> bool {
+        let can = counters.steps() + steps <= self.step_budget;
         if !can {
             counters.steps_left = self.cells_left();
         }
@@ -295,16 +345,5 @@ impl<S: Sample> Walk<'_, '_, S> {
     #[cold]
     fn cells_left(&self) -> u32 {
         cells_between(&self.proxy.position, &self.search.target)
-    }
-
-    /// Notes a squared distance on the way; false where it has not fallen for so many places that
-    /// rounding must be leading the walk in a circle.
-    fn comes_nearer(&mut self, distance: f64) -> bool {
-        if distance < self.nearest {
-            (self.nearest, self.stalls) = (distance, 0);
-        } else {
-            self.stalls += 1;
-        }
-        self.stalls <= MOST_STALLS
     }
 }

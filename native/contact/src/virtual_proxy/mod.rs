@@ -61,9 +61,6 @@ const SURVEYS: u32 = 4;
 /// Cells in a shadow, at the most: the memory for a look around stays below a megabyte.
 const MOST_CELLS: u32 = 4096;
 
-/// The smallest shadow has 16 cells; with the cells of a step, four looks around take no more.
-const FEWEST_STEPS: u32 = 100;
-
 /// Cells under a step of at most a column and a row, and one to spare.
 const CELLS_OF_A_STEP: u32 = 4;
 
@@ -97,14 +94,18 @@ enum State {
 }
 
 impl VirtualProxy {
+    /// The least step budget of a sphere, more than that of a point: the smallest shadow has 16 cells; with
+    /// the cells of a step, four looks around take no more.
+    pub const MIN_STEP_BUDGET: u32 = 100;
+
     /// A sphere of `radius` workspace metres at sample (0, 0), out of contact, that may look at
-    /// `step_budget` cells in one update (at least 100: four times at the smallest shadow).
+    /// `step_budget` cells in one update (at least [`Self::MIN_STEP_BUDGET`]).
     ///
     /// # Panics
     /// Where `radius` is not positive and finite.
     pub fn new(radius: f64, step_budget: u32) -> Self {
         assert!(radius > 0.0 && radius.is_finite(), "a sphere's radius is positive: {radius}");
-        let step_budget = step_budget.max(FEWEST_STEPS);
+        let step_budget = step_budget.max(Self::MIN_STEP_BUDGET);
         Self {
             radius,
             step_budget,

@@ -1,6 +1,6 @@
 //! The models that are put on trial, and what each one promises.
 
-use contact::{ContactModel, Model};
+use contact::{ContactModel, MIN_STEP_BUDGET, Model, VirtualProxy};
 use surface::Metric;
 
 /// Every model, with the settings of its knobs that are tried. The sphere's radius is a quarter of
@@ -37,8 +37,7 @@ pub fn may_float(model: &dyn ContactModel) -> bool {
     model.name() == "god_object"
 }
 
-/// Steps that a model takes though its budget is smaller: one look around. At a vertex that is its
-/// faces; in the shadow of the smallest sphere its cells, four times.
+/// Steps that a model may take though its budget is smaller: its floor.
 pub fn fewest_steps(model: &dyn ContactModel) -> u32 {
-    if is_point(model) { 8 } else { 100 }
+    if is_point(model) { MIN_STEP_BUDGET } else { VirtualProxy::MIN_STEP_BUDGET }
 }

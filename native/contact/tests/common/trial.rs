@@ -10,9 +10,9 @@ use surface::{Grid, GridPoint, Half, Metric};
 /// A proxy may be under the surface by this part of the relief around it.
 pub const MOST_DEPTH: f64 = 1e-12;
 
-/// Cells. On higher ground a crease may be a minimum whose depth is below all rounding, and whether
-/// the walk or the oracle stops in it is chance (13 of 4 million updates at up to 1e12 cells).
-const MOST_RELIEF: f64 = 1e7;
+/// Cells, the highest ground that is asked for (both ways from 0). On higher ground a crease may be a
+/// minimum whose depth is below all rounding, and whether the walk or the oracle stops in it is chance.
+const MOST_RELIEF: f64 = 2e9;
 
 /// The distance may grow by this part of itself (and of the goal's motion) more than the goal moves.
 pub const MOST_GROWTH: f64 = 1e-12;
