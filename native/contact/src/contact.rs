@@ -1,6 +1,6 @@
 //! What every contact model takes and gives.
 
-use crate::proxy::Proxy;
+use crate::touchable::Touchable;
 use surface::{Grid, GridPoint, Metric};
 
 /// The least step budget of every model: a smaller one is raised to it.
@@ -48,9 +48,9 @@ pub struct Counters {
 
 /// The outcome of one update.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Contact {
+pub struct Contact<P = GridPoint> {
     /// Where the proxy is now.
-    pub proxy: GridPoint,
+    pub proxy: P,
     /// What it lies on.
     pub feature: Feature,
     /// Workspace metres from the goal to the proxy (right, away, up): along this the spring pulls.
@@ -65,27 +65,29 @@ pub struct Contact {
 /// An update never panics, never yields NaN, never allocates, and never visits more than the
 /// model's step budget (at least [`MIN_STEP_BUDGET`]) allows: what is left is walked in the next updates. A
 /// goal that is not finite leaves the proxy where it is.
-pub trait ContactModel: Send {
+///
+/// Models of this crate touch grids; a model of another kind of surface says so in `S`.
+pub trait ContactModel<S: Touchable = Grid>: Send {
     /// The model's name, as people choose it.
     fn name(&self) -> &'static str;
 
     /// Where the proxy is.
-    fn proxy(&self) -> Proxy;
+    fn proxy(&self) -> S::Proxy;
 
     /// Goes on from where another model's proxy is, in contact where that is.
-    fn take_over(&mut self, proxy: Proxy);
+    fn take_over(&mut self, proxy: S::Proxy);
 
     /// Puts the proxy there, out of contact. If that is inside the ground, it stays out of contact
     /// until it has come out above. A point that is not finite changes nothing.
-    fn place(&mut self, at: GridPoint) {
-        if at.is_finite() {
-            self.take_over(Proxy::in_space(at));
+    fn place(&mut self, at: S::Point) {
+        if let Some(proxy) = S::in_space(at) {
+            self.take_over(proxy);
         }
     }
 
     /// Moves the proxy toward `goal`, as near as the surface lets it, distances being measured by
     /// `metric`.
-    fn update(&mut self, grid: &Grid, metric: &Metric, goal: &GridPoint) -> Contact;
+    fn update(&mut self, surface: &S, metric: &S::Metric, goal: &S::Point) -> Contact<S::Point>;
 }
 
 impl Counters {
@@ -116,7 +118,9 @@ impl Contact {
         let displacement = if is_finite { displacement } else { [0.0; 3] };
         Self { proxy, feature, displacement, counters }
     }
+}
 
+impl<P> Contact<P> {
     /// Unit vector from the goal to the proxy in the workspace (right, away, up); (0, 0, 1) where
     /// the two coincide.
     pub fn normal(&self) -> [f64; 3] {
