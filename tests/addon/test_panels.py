@@ -216,7 +216,7 @@ def test_the_import_dialog_shows_what_the_reader_noticed(
 ) -> None:
     description, header = module("ui.import_description"), module("terrain.prepare")
     grid = replace(module("formats").read_grid(label), notes=("The last profile is missing.",))
-    monkeypatch.setattr(header, "read_grid", lambda _path: grid)
+    monkeypatch.setattr(header, "read_grid", lambda _path, _position: grid)
     description._cached_grid.cache_clear()
     assert "The last profile is missing." in of_chosen(label).labels
     import_grid(label)
