@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 from .format_error import FormatError
+
+Refuse = Callable[[str, object, object, str], FormatError]
+"""Makes the error for a field of a header: what was found, what was expected, and a way out."""
 
 MAXIMUM_FOUND = 120
 """Letters of what was found that a message repeats."""

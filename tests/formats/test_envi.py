@@ -125,7 +125,10 @@ def test_keywords_in_capitals_and_carriage_returns(tmp_path: Path) -> None:
         ({"map info": "{UTM, 1, 1, 5, 5, 0, 1, 10, North}"}, ["x size", "above 0"]),
         ({"map info": "{UTM, 1, 1, 1e300, 5, 1, 1}"}, ["coordinates on a planet"]),
         ({"map info": "{UTM, 1, 1, 5, 5, 1, 1, 10, North, rotation=30}"}, ["rotation", "30"]),
-        ({"map info": "{Geographic Lat/Lon, 1, 1, 0, 500, 1, 1, WGS-84}"}, ["latitudes", "498.5 to 499.5"]),
+        (
+            {"map info": "{Geographic Lat/Lon, 1, 1, 0, 500, 1, 1, WGS-84}"},
+            ["place of the grid", "498.5 to 499.5"],
+        ),
     ],
 )
 def test_a_header_that_cannot_be_used(tmp_path: Path, words: dict[str, object], named: list[str]) -> None:

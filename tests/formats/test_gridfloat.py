@@ -72,7 +72,7 @@ def test_data_longer_or_shorter_than_the_header_says(tmp_path: Path) -> None:
         ({"cellsize": None}, "CELLSIZE"),
         ({"cellsize": "nan"}, "CELLSIZE"),
         ({"cellsize": 0}, "above 0"),
-        ({"cellsize": "1e-320"}, "place of the first cell"),
+        ({"cellsize": "1e-320"}, "place of the grid"),
         ({"ncols": 1}, "at least 2"),
         ({"ncols": 10**12}, "NCOLS"),
         ({"xllcorner": None}, "XLLCORNER"),

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -12,7 +11,9 @@ from ..file_bytes import read_head
 from ..georeference import Georeference, LatitudeKind, Registration
 from ..projections import Geographic, Projection, Unknown
 from ..raw.data_beside import first_beside
-from ..raw.stored_samples import Refuse, StoredSamples
+from ..raw.stored_samples import StoredSamples
+from ..refusal import Refuse
+from .map_place import check_place
 from .stated_frame import stated_frame
 
 EARTH_HEIGHTS = "mean sea level"
@@ -47,27 +48,17 @@ class MapFrame:
         step_y: float,
         registration: Registration,
         refuse: Refuse,
-        rows: int,
+        size: tuple[int, int],
     ) -> Georeference:
-        """The place of a grid on this map, its numbers in the map's own units; refuses what is on no body."""
+        """The place of a grid on this map, its numbers in the map's own units; refuses what is on no body.
+
+        Args:
+            size: columns and rows.
+        """
+        columns, rows = size
         first_x, first_y = first_x * self.unit + self.shift_x, first_y * self.unit
         step_x, step_y = step_x * self.unit, step_y * self.unit
-        last_y = first_y - (rows - 1) * step_y
-        sane = all(math.isfinite(number) and abs(number) < 1e12 for number in (first_x, first_y, last_y))
-        # Steps that are lost beside the coordinates make one place of all samples.
-        told_apart = first_x + step_x > first_x and first_y + step_y > first_y
-        if not (sane and told_apart and step_x < 1e9 and step_y < 1e9):
-            raise refuse(
-                "place of the first cell",
-                f"{first_x:g}, {first_y:g} in steps of {step_x:g}, {step_y:g}",
-                "coordinates on a planet",
-                "Mend the header.",
-            )
-        if self.projection.in_degrees and not (-90.0 - step_y < last_y and first_y < 90.0 + step_y):
-            raise refuse(
-                "latitudes", f"{last_y:g} to {first_y:g}", "latitudes within +-90", "Mend the header."
-            )
-        return Georeference(
+        georeference = Georeference(
             body=self.body,
             ellipsoid=self.ellipsoid,
             projection=self.projection,
@@ -81,6 +72,8 @@ class MapFrame:
             registration=registration,
             frame=self.frame,
         )
+        check_place(georeference, rows, columns, refuse)
+        return georeference
 
     def in_metres(self, samples: StoredSamples) -> StoredSamples:
         """The same samples, their heights in the unit that this map states."""
@@ -94,15 +87,22 @@ class MapFrame:
 GEOGRAPHIC_WGS84 = MapFrame("Earth", WGS84, Geographic(), "WGS 84, longitude and latitude")
 
 
-def frame_beside(data_path: Path, first_x: float, first_y: float, step_x: float, columns: int) -> MapFrame:
-    """Follow the ``.prj`` file beside the data; where there is none, see whether these may be degrees."""
+def frame_beside(
+    data_path: Path, first: tuple[float, float], step: tuple[float, float], size: tuple[int, int]
+) -> MapFrame:
+    """Follow the ``.prj`` file beside the data; where there is none, see whether these may be degrees.
+
+    Args:
+        first: of the north-west sample, step: to the next east and south, as the header has them.
+        size: columns and rows.
+    """
     beside = first_beside(data_path, [".prj"])
     if beside is not None:
         frame = frame_of_text(read_head(beside, MAXIMUM_BYTES).decode("latin-1"))
         if frame is not None:
             return frame
     told = f"{beside.name} is not understood" if beside is not None else "There is no .prj file"
-    return assumed_frame(told, first_x, first_y, step_x, columns)
+    return assumed_frame(told, first, step, size)
 
 
 def frame_of_text(text: str) -> MapFrame | None:
@@ -123,10 +123,18 @@ def frame_of_text(text: str) -> MapFrame | None:
     )
 
 
-def assumed_frame(told: str, first_x: float, first_y: float, step_x: float, columns: int) -> MapFrame:
-    """Degrees on Earth where the numbers may be degrees; else metres of an unknown map."""
+def assumed_frame(
+    told: str, first: tuple[float, float], step: tuple[float, float], size: tuple[int, int]
+) -> MapFrame:
+    """Degrees on Earth where the numbers may be degrees; else metres of an unknown map.
+
+    Args:
+        told: why something has to be assumed. The others are as of ``frame_beside``.
+    """
+    (first_x, first_y), (step_x, step_y), (columns, rows) = first, step, size
     may_be_degrees = (
         abs(first_y) <= 90.5
+        and abs(first_y - (rows - 1) * step_y) <= 90.5
         and abs(first_x) <= 360.5
         and abs(first_x + columns * step_x) <= 721.0
         and step_x < 10.0

@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import math
-from pathlib import Path
 
-from ..format_error import FormatError
 from ..georeference import Georeference
+from ..refusal import Refuse
 
 FARTHEST = 1e10
 """Metres from a map's origin, well beyond the largest planet's."""
 
 
-def check_place(path: Path, georeference: Georeference, rows: int, columns: int) -> None:
+def check_place(georeference: Georeference, rows: int, columns: int, refuse: Refuse) -> None:
     """Refuse coordinates that lie beyond all bodies, or that steps are lost in: all places would be one."""
     west, north = georeference.first_x, georeference.first_y
     step_x, step_y = georeference.step_x, georeference.step_y
@@ -29,10 +28,9 @@ def check_place(path: Path, georeference: Georeference, rows: int, columns: int)
         on_body = max(abs(number) for number in (west, east, south, north)) <= FARTHEST
     if not (told_apart and on_body):
         unit = "degrees" if georeference.projection.in_degrees else "metres"
-        raise FormatError(
-            path,
+        raise refuse(
             "place of the grid",
-            found=f"{west:g} to {east:g} and {south:g} to {north:g} {unit}, {step_x:g} and {step_y:g} apart",
-            expected="coordinates on a planet",
-            way_out="Mend the header, or the .prj file beside it.",
+            f"{west:g} to {east:g} and {south:g} to {north:g} {unit}, {step_x:g} and {step_y:g} apart",
+            "coordinates on a planet",
+            "Mend the header, or the .prj file beside it.",
         )

@@ -58,7 +58,7 @@ def read_headless_dem(path: Path) -> ElevationGrid:
     north = int(corner[4]) * (1.0 if corner[3].upper() == "N" else -1.0)
     refuse = partial(refusal, path)
     georeference = GEOGRAPHIC_WGS84.georeference(
-        west + STEP / 2.0, north - STEP / 2.0, STEP, STEP, "cells", refuse, rows
+        west + STEP / 2.0, north - STEP / 2.0, STEP, STEP, "cells", refuse, (columns, rows)
     )
     samples = StoredSamples(rows, columns, "i16", "big", void=SEA)
     layout, decoding = samples.placed(georeference, refuse)

@@ -135,7 +135,6 @@ def _georeference(
     step_x = header.positive(header.first_of("XDIM", "CELLSIZE", "DX") or "XDIM")
     step_y = header.positive(header.first_of("YDIM", "CELLSIZE", "DY") or "YDIM")
     first_x, first_y, registration = first_sample(header, samples.rows, step_x, step_y)
-    frame = frame_beside(data_path, first_x, first_y, step_x, samples.columns)
-    return frame.georeference(
-        first_x, first_y, step_x, step_y, registration, header.wrong, samples.rows
-    ), frame
+    size = (samples.columns, samples.rows)
+    frame = frame_beside(data_path, (first_x, first_y), (step_x, step_y), size)
+    return frame.georeference(first_x, first_y, step_x, step_y, registration, header.wrong, size), frame

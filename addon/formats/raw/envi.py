@@ -130,6 +130,7 @@ def _byte_order(header: EnviHeader, size: int) -> ByteOrder:
 
 def _georeference(header: EnviHeader, samples: StoredSamples) -> tuple[Georeference, tuple[str, ...]]:
     """Place the first sample's centre."""
+    size = (samples.columns, samples.rows)
     items = header.items("map info")
     positional = [item for item in items if "=" not in item]
     named = dict(item.lower().replace(" ", "").split("=", 1) for item in items if "=" in item)
@@ -142,7 +143,7 @@ def _georeference(header: EnviHeader, samples: StoredSamples) -> tuple[Georefere
             notes=("The header has no map info: cells of 1 m of an unknown map are assumed.",),
         )
         return frame.georeference(
-            0.0, 0.0, UNKNOWN_STEP, UNKNOWN_STEP, "cells", header.wrong, samples.rows
+            0.0, 0.0, UNKNOWN_STEP, UNKNOWN_STEP, "cells", header.wrong, size
         ), frame.notes
     if header.finite("map info: rotation", named.get("rotation", "0")) != 0.0:
         raise header.wrong(
@@ -153,15 +154,19 @@ def _georeference(header: EnviHeader, samples: StoredSamples) -> tuple[Georefere
         if step <= 0.0:
             raise header.wrong(field, f"{step:g}", "a number above 0", "Mend the header.")
     first_x, first_y = x + (1.5 - pixel_x) * step_x, y - (1.5 - pixel_y) * step_y
-    frame = _frame(header, positional, first_x, first_y, step_x, samples.columns)
+    frame = _frame(header, positional, (first_x, first_y), (step_x, step_y), size)
     return (
-        frame.georeference(first_x, first_y, step_x, step_y, "cells", header.wrong, samples.rows),
+        frame.georeference(first_x, first_y, step_x, step_y, "cells", header.wrong, size),
         frame.notes,
     )
 
 
 def _frame(
-    header: EnviHeader, positional: list[str], first_x: float, first_y: float, step_x: float, columns: int
+    header: EnviHeader,
+    positional: list[str],
+    first: tuple[float, float],
+    step: tuple[float, float],
+    size: tuple[int, int],
 ) -> MapFrame:
     """The coordinate system string where it is understood, else the names in ``map info``."""
     told = header.text("coordinate system string", "")
@@ -182,7 +187,7 @@ def _frame(
             )
         if "WGS" in words:
             return GEOGRAPHIC_WGS84
-        return assumed_frame("The datum is not understood", first_x, first_y, step_x, columns)
+        return assumed_frame("The datum is not understood", first, step, size)
     utm = _utm(header, positional) if name == "utm" else None
     if utm is not None:
         return utm

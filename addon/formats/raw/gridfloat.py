@@ -48,8 +48,9 @@ def read_gridfloat(header_path: Path, data_path: Path | None = None) -> Elevatio
     step_x = header.positive(header.first_of("CELLSIZE", "XDIM", "DX") or "CELLSIZE")
     step_y = header.positive(header.first_of("CELLSIZE", "YDIM", "DY") or "CELLSIZE")
     first_x, first_y, registration = first_sample(header, rows, step_x, step_y)
-    frame = frame_beside(data_path, first_x, first_y, step_x, columns)
-    georeference = frame.georeference(first_x, first_y, step_x, step_y, registration, header.wrong, rows)
+    size = (columns, rows)
+    frame = frame_beside(data_path, (first_x, first_y), (step_x, step_y), size)
+    georeference = frame.georeference(first_x, first_y, step_x, step_y, registration, header.wrong, size)
     layout, decoding = frame.in_metres(samples).placed(georeference, header.wrong)
     check_length(data_path, layout.byte_length, f"NROWS and NCOLS in {header_path.name}", exact=True)
     return ElevationGrid(

@@ -4,18 +4,14 @@ from __future__ import annotations
 
 import math
 import struct
-from collections.abc import Callable
 from dataclasses import dataclass
 
 from proxygraph import GridError, GridLayout
 
 from ..decoding import Decoding
-from ..format_error import FormatError
 from ..georeference import Georeference
+from ..refusal import Refuse
 from .raw_samples import RAW_BYTES, ByteOrder, RawSample, RawSamples, Sample
-
-Refuse = Callable[[str, object, object, str], FormatError]
-"""Makes an error of a header: field, found, expected, way out."""
 
 MAPPED: dict[RawSample, Sample] = {"i16": "i16", "u16": "u16", "i32": "i32", "f32": "f32", "f64": "f64"}
 """Types that are touched where they lie."""

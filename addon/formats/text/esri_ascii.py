@@ -6,19 +6,17 @@ Source: Esri, "ArcGIS Pro: Esri ASCII raster format".
 from __future__ import annotations
 
 import math
+from functools import partial
 from pathlib import Path
 
 from proxygraph import EsriAscii, GridError, GridLayout, Progress
 
-from ..body.datums import DATUM_WGS84
 from ..decoding import Decoding
 from ..elevation_grid import ElevationGrid
-from ..frames.map_place import check_place
-from ..frames.stated_frame import StatedFrame, read_stated_frame
+from ..frames.map_frame import MapFrame, frame_beside
 from ..georeference import Georeference
 from ..native_refusal import native_refusal
-from ..partner_file import file_in_any_case
-from ..projections import Geographic, Unknown
+from ..refusal import refusal
 
 KIND = "esri_ascii"
 """In ``DECODERS``."""
@@ -37,9 +35,7 @@ def read_esri_ascii(path: Path, progress: Progress | None = None) -> ElevationGr
         ascii_grid = EsriAscii.open(path, progress)
     except (GridError, OSError) as error:
         raise native_refusal(path, error, WAY_OUT) from error
-    frame = _frame(path, ascii_grid)
-    georeference = _georeference(ascii_grid, frame)
-    check_place(path, georeference, ascii_grid.rows, ascii_grid.columns)
+    georeference, frame = _georeference(path, ascii_grid)
     try:
         layout = _layout(ascii_grid, georeference, frame)
     except GridError as error:
@@ -57,50 +53,19 @@ def read_esri_ascii(path: Path, progress: Progress | None = None) -> ElevationGr
     )
 
 
-def _frame(path: Path, ascii_grid: EsriAscii) -> StatedFrame:
-    """What the ``.prj`` file states; degrees on Earth where there is none and the numbers may be degrees."""
-    beside = file_in_any_case(path.with_suffix(".prj"))
-    stated = None if beside is None else read_stated_frame(beside)
-    if stated is not None:
-        return stated
-    told = "There is no .prj file" if beside is None else f"{beside.name} is not understood"
-    (x, y), (step_x, step_y) = ascii_grid.corner, ascii_grid.step
-    may_be_degrees = (
-        abs(y) <= 90.5
-        and abs(y + ascii_grid.rows * step_y) <= 90.5
-        and abs(x) <= 360.5
-        and abs(x + ascii_grid.columns * step_x) <= 721.0
-        and max(step_x, step_y) < 10.0
-    )
-    if may_be_degrees:
-        note = f"{told}: longitude and latitude on WGS 84 are assumed."
-        return StatedFrame("Earth", DATUM_WGS84.ellipsoid, Geographic(), "WGS 84 (assumed)", notes=(note,))
-    note = f"{told}: coordinates are taken for metres of an unknown map."
-    return StatedFrame("", DATUM_WGS84.ellipsoid, Unknown(), "", notes=(note,))
-
-
-def _georeference(ascii_grid: EsriAscii, frame: StatedFrame) -> Georeference:
+def _georeference(path: Path, ascii_grid: EsriAscii) -> tuple[Georeference, MapFrame]:
+    """Place the north-west sample: the header has the lower left corner, or its cell's centre."""
     (x, y), (step_x, step_y) = ascii_grid.corner, ascii_grid.step
     x_is_center, y_is_center = ascii_grid.corner_is_center
-    west = x if x_is_center else x + step_x / 2.0
+    first_x = x if x_is_center else x + step_x / 2.0
     south = y if y_is_center else y + step_y / 2.0
-    return Georeference(
-        body=frame.body,
-        ellipsoid=frame.ellipsoid,
-        projection=frame.projection,
-        first_x=west * frame.unit + frame.shift_x,
-        first_y=(south + (ascii_grid.rows - 1) * step_y) * frame.unit,
-        step_x=step_x * frame.unit,
-        step_y=step_y * frame.unit,
-        vertical_reference="not stated",
-        vertical_unit="m" if frame.vertical_unit == 1.0 else f"{frame.vertical_unit:g} m",
-        latitude_kind="planetographic",
-        registration="cells",
-        frame=frame.name,
-    )
+    first_y = south + (ascii_grid.rows - 1) * step_y
+    size = (ascii_grid.columns, ascii_grid.rows)
+    frame = frame_beside(path, (first_x, first_y), (step_x, step_y), size)
+    return frame.georeference(first_x, first_y, step_x, step_y, "cells", partial(refusal, path), size), frame
 
 
-def _layout(ascii_grid: EsriAscii, georeference: Georeference, frame: StatedFrame) -> GridLayout:
+def _layout(ascii_grid: EsriAscii, georeference: Georeference, frame: MapFrame) -> GridLayout:
     cell_width, cell_height = georeference.cell_size(ascii_grid.rows)
     void = ascii_grid.void
     return GridLayout(

@@ -7,6 +7,7 @@ codes of datums: table 2-1, elements 26 and 27.
 from __future__ import annotations
 
 import math
+from functools import partial
 from pathlib import Path
 
 from proxygraph import GridError, GridLayout, Progress, UsgsDem
@@ -19,6 +20,7 @@ from ..frames.stated_projection import utm
 from ..georeference import Georeference
 from ..native_refusal import native_refusal
 from ..projections import Geographic, Projection, Unknown
+from ..refusal import refusal
 
 KIND = "usgs_dem"
 """In ``DECODERS``."""
@@ -64,7 +66,7 @@ def read_usgs_dem(path: Path, progress: Progress | None = None) -> ElevationGrid
         raise native_refusal(path, error, WAY_OUT) from error
     datum, datum_note = _datum(dem)
     georeference = _georeference(dem, datum)
-    check_place(path, georeference, dem.rows, dem.columns)
+    check_place(georeference, dem.rows, dem.columns, partial(refusal, path))
     try:
         layout = _layout(dem, georeference)
     except GridError as error:

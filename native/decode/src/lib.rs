@@ -13,7 +13,7 @@ pub mod geotiff;
 mod pen;
 mod progress;
 mod raw;
-mod room;
+mod region;
 mod source;
 mod target;
 pub mod usgs_dem;

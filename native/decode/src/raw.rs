@@ -4,8 +4,8 @@
 use crate::error::DecodeError;
 use crate::pen::Pen;
 use crate::progress::Progress;
-use crate::room::room;
 use crate::source::Source;
+use crate::target::Target;
 use std::path::Path;
 use surface::{ByteOrder, Grid, GridLayout, SampleType};
 
@@ -116,7 +116,7 @@ impl RawSamples {
         let source = Source::open(path)?;
         self.check(source.length())?;
         self.check_region(&layout, first_column, first_row)?;
-        let mut target = room(layout, cache)?;
+        let mut target = Target::new(layout, cache)?;
         let copy = Copy::new(self, &layout);
         let mut bytes = Vec::new();
         for row in 0..layout.rows() {

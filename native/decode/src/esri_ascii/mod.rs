@@ -14,8 +14,9 @@ pub use stored::Stored;
 use crate::error::DecodeError;
 use crate::pen::Pen;
 use crate::progress::Progress;
-use crate::room::{check_region, column_in_region, room};
+use crate::region::{check_region, column_in_region};
 use crate::source::Source;
+use crate::target::Target;
 use header::no_number;
 use std::path::Path;
 use stored::{Found, Nodata};
@@ -93,7 +94,7 @@ impl EsriAscii {
     ) -> Result<Grid, DecodeError> {
         let header = &self.header;
         check_region(&layout, (first_column, first_row), (header.columns, header.rows))?;
-        let mut target = room(layout, cache)?;
+        let mut target = Target::new(layout, cache)?;
         let (pen, nodata) = (Pen::of(&layout), Nodata(header.nodata));
         let void = layout.void().unwrap_or(f64::NAN);
         let mut words = Words::new(&self.source, header.heights);

@@ -17,8 +17,9 @@ pub use stored::Stored;
 use crate::error::DecodeError;
 use crate::pen::Pen;
 use crate::progress::Progress;
-use crate::room::{check_region, column_in_region, room};
+use crate::region::{check_region, column_in_region};
 use crate::source::Source;
+use crate::target::Target;
 use crate::window::Window;
 use profile::{Head, Wrong, first_profile, heights};
 use spread::Spread;
@@ -144,7 +145,7 @@ impl UsgsDem {
     ) -> Result<Grid, DecodeError> {
         check_region(&layout, (first_column, first_row), (self.columns(), self.rows()))?;
         self.stored.check(&layout)?;
-        let mut target = room(layout, cache)?;
+        let mut target = Target::new(layout, cache)?;
         let pen = Pen::of(&layout);
         pen.fill(target.row(0), self.stored.void);
         let voids = target.row(0).to_vec();

@@ -1,17 +1,7 @@
-//! Where a region that was asked for goes, and whether the file has it.
+//! Whether a file has the region that was asked for.
 
 use crate::error::DecodeError;
-use crate::target::Target;
-use std::path::Path;
 use surface::GridLayout;
-
-/// Room in a file at `cache` where one is named, else in memory.
-pub fn room(layout: GridLayout, cache: Option<&Path>) -> Result<Target, DecodeError> {
-    match cache {
-        Some(path) => Target::file(layout, path),
-        None => Target::memory(layout),
-    }
-}
 
 /// Refuses a region that the file does not have. Columns may run on beyond the last one, which only grids
 /// of a whole planet are asked for: column 0 follows there.
