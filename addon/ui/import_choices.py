@@ -69,16 +69,16 @@ class ImportChoices:
         name="West",
         description="Degrees east, +-180 or 0 to 360",
         default=0.0,
-        min=-360.0,
-        max=360.0,
+        min=-720.0,
+        max=720.0,
         precision=5,
     )
     east: bpy.props.FloatProperty(
         name="East",
-        description="Degrees east, +-180 or 0 to 360",
+        description="Degrees east, +-180 or 0 to 360; beyond 360 where the box lies over the meridian",
         default=360.0,
-        min=-360.0,
-        max=360.0,
+        min=-720.0,
+        max=720.0,
         precision=5,
     )
     south: bpy.props.FloatProperty(

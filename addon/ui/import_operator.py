@@ -149,6 +149,8 @@ class HAPTIC_TERRAIN_OT_import_grid(bpy.types.Operator, ImportHelper, ImportChoi
         _frame(context, imported)
         for terrain in imported.terrains:
             self.report({"INFO"}, _summary(terrain))
+            for note in recall(terrain).grid.notes:
+                self.report({"WARNING"}, f"{terrain.name}: {note}")
         # An error ends a script; where something was imported, what was not is a warning there.
         kind = "WARNING" if imported.terrains and not self.answered else "ERROR"
         for failure in imported.failures:

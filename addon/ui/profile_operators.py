@@ -126,6 +126,9 @@ def _poll_marked(cls: type[bpy.types.Operator], context: bpy.types.Context) -> b
     if marks.a is None or marks.b is None:
         cls.poll_message_set("Mark A and B first")
         return False
+    if marks.a == marks.b:
+        cls.poll_message_set("A and B are the same place; while touch runs, a mark is where the hand is")
+        return False
     return True
 
 

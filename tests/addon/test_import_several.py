@@ -92,3 +92,12 @@ def test_files_go_before_a_path(tmp_path: Path) -> None:
     assert chosen(dropped) == [tmp_path / "a.lbl"]
     dropped.files = files[1:]
     assert chosen(dropped) == [Path("/x.lbl")]
+
+
+def test_what_a_reader_noticed_is_told_to_scripts_too(
+    tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "grid.asc"
+    path.write_text("ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 1\n1 2 3\n4 5 6\n")
+    bpy.ops.haptic_terrain.import_grid(filepath=str(path))
+    assert "Warning: grid: There is no .prj file" in capfd.readouterr().out

@@ -180,3 +180,10 @@ def test_a_profile_that_fails_leaves_nothing(terrain: bpy.types.Object) -> None:
     with pytest.raises(RuntimeError, match=r"grid\.img"):
         bpy.ops.haptic_terrain.add_profile()
     assert contents() == before
+
+
+def test_marks_in_one_place_have_no_profile_and_say_so(terrain: bpy.types.Object) -> None:
+    mark("A", 210.5, 0.5)
+    mark("B", 210.5, 0.5)
+    with pytest.raises(RuntimeError, match="A and B are the same place"):
+        bpy.ops.haptic_terrain.add_profile()
