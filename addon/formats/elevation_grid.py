@@ -57,7 +57,7 @@ class ElevationGrid:
             return self
         region.check_on(self.layout)
         georeference = self.georeference.cut(region)
-        width, height = georeference.cell_size(region.rows)
+        width, height = georeference.cell_size(region.rows, region.columns)
         cut = replace(self, georeference=georeference)
         # A region across the seam has its columns in two places of each row: they are brought together.
         if self.decoding is None and region.first_column + region.columns <= self.layout.columns:

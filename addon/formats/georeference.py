@@ -12,6 +12,7 @@ from typing import Literal
 
 from .body.ellipsoid import Ellipsoid
 from .projections import Coordinates, Projection
+from .projections.map_scale import map_scale
 from .region import Region
 
 Registration = Literal["cells", "points"]
@@ -51,14 +52,19 @@ class Georeference:
         """Whether so many columns go once around: the map then has neither an east nor a west edge."""
         return self.projection.in_degrees and math.isclose(columns * self.step_x, 360.0, rel_tol=1e-9)
 
-    def cell_size(self, rows: int) -> tuple[float, float]:
+    def cell_size(self, rows: int, columns: int) -> tuple[float, float]:
         """Metres between neighbouring columns and between neighbouring rows.
 
-        A degree of longitude shrinks toward the poles: taken at the middle of the map's rows, so that
-        slopes there are true.
+        A degree of longitude shrinks toward the poles, and a map in metres may be far from true to scale
+        (Mercator): taken at the middle of the map, so that slopes there are true.
         """
         if not self.projection.in_degrees:
-            return self.step_x, self.step_y
+            scale = map_scale(
+                self.projection,
+                self.ellipsoid,
+                (self.x((columns - 1) / 2.0), self.y((rows - 1) / 2.0)),
+            )
+            return self.step_x / scale[0], self.step_y / scale[1]
         middle = self.first_y - (rows - 1) / 2.0 * self.step_y
         return (
             self.step_x * self.ellipsoid.degree_of_longitude(middle),

@@ -251,7 +251,7 @@ def test_angles_in_other_units_become_degrees(tmp_path: Path, keys: dict[int, An
 def test_maps_in_feet_become_metres(tmp_path: Path, code: dict[int, Any], metres: float) -> None:
     place = read_geotiff(TiffFile(rough(4, 5), keys={**METRES, **code}).write(tmp_path)).georeference
     assert place.first_x == pytest.approx(10.25 * metres)
-    assert place.cell_size(4) == pytest.approx((0.5 * metres, 0.25 * metres))
+    assert place.cell_size(4, 4) == pytest.approx((0.5 * metres, 0.25 * metres))
     assert not place.projection.in_degrees
 
 

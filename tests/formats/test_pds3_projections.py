@@ -219,7 +219,7 @@ def test_equirectangular_maps_are_placed_by_their_offsets(tmp_path: Path) -> Non
     assert place.y(0) == pytest.approx(6029.5 / 100.5)
     assert place.x(0) == pytest.approx(180.0 + 1000.0 * 2.0 / 100.5)
     assert place.step_x == pytest.approx(2.0 * place.step_y)
-    assert place.cell_size(4)[0] == pytest.approx(place.cell_size(4)[1], rel=2e-3)
+    assert place.cell_size(4, 4)[0] == pytest.approx(place.cell_size(4, 4)[1], rel=2e-3)
 
 
 def test_a_rounded_scale_still_closes_a_planet(tmp_path: Path) -> None:

@@ -130,7 +130,7 @@ def _layout(
     void: float | None,
 ) -> GridLayout:
     tiff = tags.tiff
-    cell_width, cell_height = georeference.cell_size(tiff.rows)
+    cell_width, cell_height = georeference.cell_size(tiff.rows, tiff.columns)
     offset, row_stride = in_place or (0, None)
     return GridLayout(
         tiff.rows,

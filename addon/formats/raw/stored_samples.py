@@ -65,7 +65,7 @@ class StoredSamples:
 
     def placed(self, georeference: Georeference, refuse: Refuse) -> tuple[GridLayout, Decoding | None]:
         """Say how the samples are touched: in place (no decoding), or how they are decoded first."""
-        width, height = georeference.cell_size(self.rows)
+        width, height = georeference.cell_size(self.rows, self.columns)
         wraps = georeference.spans_the_globe(self.columns)
         raw = self._raw(wraps)
         if raw.bytes_to_row < self.columns * raw.bytes_to_column:

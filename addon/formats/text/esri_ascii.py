@@ -66,7 +66,7 @@ def _georeference(path: Path, ascii_grid: EsriAscii) -> tuple[Georeference, MapF
 
 
 def _layout(ascii_grid: EsriAscii, georeference: Georeference, frame: MapFrame) -> GridLayout:
-    cell_width, cell_height = georeference.cell_size(ascii_grid.rows)
+    cell_width, cell_height = georeference.cell_size(ascii_grid.rows, ascii_grid.columns)
     void = ascii_grid.void
     return GridLayout(
         ascii_grid.rows,

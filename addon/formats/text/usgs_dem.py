@@ -127,7 +127,7 @@ def _projection(dem: UsgsDem) -> tuple[Projection, str]:
 
 def _layout(dem: UsgsDem, georeference: Georeference) -> GridLayout:
     metres = FOOT if dem.elevation_unit == "foot" else 1.0
-    cell_width, cell_height = georeference.cell_size(dem.rows)
+    cell_width, cell_height = georeference.cell_size(dem.rows, dem.columns)
     return GridLayout(
         dem.rows,
         dem.columns,

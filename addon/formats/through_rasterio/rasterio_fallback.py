@@ -112,7 +112,7 @@ def _described(path: Path, source: Any) -> ElevationGrid:
             "Cut the grid, or convert it to ENVI.",
         )
     georeference, notes = _georeference(source, refuse)
-    width, height = georeference.cell_size(source.height)
+    width, height = georeference.cell_size(source.height, source.width)
     try:
         layout = GridLayout(
             source.height,
