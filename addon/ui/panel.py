@@ -82,7 +82,7 @@ class HAPTIC_TERRAIN_PT_touch(bpy.types.Panel):
         if live.touch.target is not None and live.touch.target.find() is None:
             draw_message(layout, "The Touch Target is gone: stop touch and start it again.")
         if live.touch.readout is not None:
-            exaggeration = live.touch.session.window.exaggeration
+            exaggeration = live.touch.readout.window.exaggeration
             in_degrees = live.touch.georeference.projection.in_degrees
             draw_lines(layout, readout_lines(live.touch.readout, exaggeration, in_degrees=in_degrees))
 
