@@ -16,7 +16,7 @@ from ..terrain.frame import is_on_map, place_in_grid
 from ..terrain.kept import KeptError, recall_frame
 from ..terrain.view import redraw
 from .control import keep_control
-from .cursor import SIZE, cursor_object, show_cursor
+from .cursor import SIZE, cursor_object, shape_of, show_cursor
 from .follow import carry_target, follow_target, lay_window
 from .live import Readout, Touch, live
 from .model import keep_model
@@ -82,7 +82,8 @@ def _show(touch: Touch, scene: bpy.types.Scene, placement: Placement, state: Sta
     place: Vector = placement.to_scene(east, north, lifted(up, height))
     size = SIZE * placement.longest_side(touch.grid.layout)
     turn = placement.upright(east, north)
-    show_cursor(cursor_object(scene), place, turn, size, in_contact=state.in_contact)
+    shape = shape_of(state.mode, in_contact=state.in_contact)
+    show_cursor(cursor_object(scene), place, turn, size, shape)
 
 
 def _readout(touch: Touch, state: State) -> Readout:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import bpy
 
 from ..terrain.kept import KeptError, recall
@@ -24,6 +26,10 @@ HELD = {
     "below": "Hand is under the ground",
 }
 """Why the force is away, short enough for a line; the panel *Safety* has the sentences."""
+
+
+MODES = {"normal": "Normal", "pan": "Pan: ground held", "zoom": "Zoom: air held"}
+"""What the hand's motion does."""
 
 
 class HAPTIC_TERRAIN_PT_terrain(bpy.types.Panel):
@@ -137,9 +143,10 @@ class HAPTIC_TERRAIN_PT_record(bpy.types.Panel):
 def readout_lines(readout: Readout, exaggeration: float, *, in_degrees: bool) -> list[tuple[str, str]]:
     """Put the newest tick into words."""
     lines = [
-        ("Mode", readout.mode.title()),
+        ("Mode", MODES[readout.mode]),
         ("Contact", "Touching" if readout.in_contact else "Free"),
         ("Force", f"{readout.force:.2f} N"),
+        ("Reach", reach(readout)),
         ("Missed ticks", f"{readout.missed_ticks:,} of {readout.ticks + readout.missed_ticks:,}"),
     ]
     if readout.held is not None:
@@ -148,6 +155,15 @@ def readout_lines(readout: Readout, exaggeration: float, *, in_degrees: bool) ->
     beside = [("Place", "Beside the map")]
     lines[2:2] = place_lines(readout, exaggeration, in_degrees=in_degrees) if readout.on_map else beside
     return lines
+
+
+def reach(readout: Readout) -> str:
+    """How much terrain lies under the hand's whole reach, and how it is turned."""
+    window = readout.window
+    metres = window.width
+    width = f"{metres:,.0f} m" if metres < 1e4 else f"{metres / 1000.0:,.0f} km"
+    degrees = round(math.degrees(window.turn)) % 360
+    return f"{width}, turned {degrees}\N{DEGREE SIGN}" if degrees else width
 
 
 def servo_lines(readout: Readout) -> list[tuple[str, str]]:

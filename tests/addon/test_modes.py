@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -10,7 +11,7 @@ import pytest
 from proxygraph import SessionError, Window
 
 from tests.addon.hands import sweep
-from tests.addon.scene import import_grid, module
+from tests.addon.scene import import_grid, module, positions
 from tests.formats.megdr_pair import MegdrPair, planet, rough
 
 
@@ -193,3 +194,66 @@ def test_workspace_and_terrain_agree_in_a_turned_window() -> None:
     assert workspace.nearest_turn(900.0, 50.0, 1000.0) == pytest.approx(-100.0)
     assert workspace.nearest_turn(550.0, 50.0, 1000.0) == 550.0
     assert workspace.nearest_turn(900.0, 50.0, None) == 900.0
+
+
+def cursor() -> bpy.types.Object:
+    return bpy.data.objects["Haptic Cursor"]
+
+
+def extent(name: str) -> tuple[float, float, float]:
+    """Width, height, and lowest place of a cursor's mesh, of that name."""
+    places = positions(bpy.data.meshes[name])
+    size = places.max(axis=0) - places.min(axis=0)
+    return float(size[0]), float(size[2]), float(places[:, 2].min())
+
+
+def test_the_cursor_shows_each_mode_by_shape_and_colour(terrain: bpy.types.Object) -> None:
+    touch = start()
+    seen = {}
+    for height, mode, name in (
+        (0.0, "normal", "Free"),
+        (0.0, "zoom", "Zoom"),
+        (-0.5, "normal", "Contact"),
+        (0.0, "pan", "Pan"),
+    ):
+        touch.session.set_mode("normal")
+        step(touch, 20)
+        drag(touch, 0.0, 0.0, height)
+        touch.session.set_mode(mode)
+        step(touch, 100)
+        assert cursor().data.name == f"Haptic Cursor {name}"
+        seen[name] = tuple(cursor().data.materials[0].diffuse_color[:])
+    assert len(set(seen.values())) == 4
+    width, height, _lowest = extent("Haptic Cursor Free")
+    assert width == pytest.approx(height)
+    width, height, _lowest = extent("Haptic Cursor Zoom")
+    assert height > 2.0 * width
+    width, height, lowest = extent("Haptic Cursor Pan")
+    assert width > 2.0 * height
+    assert lowest == pytest.approx(0.0, abs=1e-6), "it lies on the ground"
+
+
+def test_the_cursor_is_at_the_hand_while_it_zooms(terrain: bpy.types.Object) -> None:
+    touch = start()
+    step(touch, 500)
+    touch.session.press()
+    step(touch, 100)
+    drag(touch, 0.0, 0.0, 0.5)
+    state = touch.session.state()
+    assert state.mode == "zoom"
+    expected = touch.frame.to_object(*state.goal)
+    assert cursor().matrix_world.translation[:] == pytest.approx(expected, abs=2e-3)
+
+
+def test_the_panel_has_words_for_each_mode_and_the_reach_of_the_hand(terrain: bpy.types.Object) -> None:
+    panel = module("ui.panel")
+    touch = start()
+    for mode, words in (("normal", "Normal"), ("pan", "Pan: ground held"), ("zoom", "Zoom: air held")):
+        touch.session.set_mode(mode)
+        step(touch, 20)
+        lines = dict(panel.readout_lines(touch.readout, 50.0, in_degrees=True))
+        assert lines["Mode"] == words
+    window = Window(0.0, 0.0, 0.0, width=1_234_000.0, turn=-0.5)
+    assert panel.reach(replace(touch.readout, window=window)) == "1,234 km, turned 331\N{DEGREE SIGN}"
+    window = Window(0.0, 0.0, 0.0, width=1_234.0)
+    assert panel.reach(replace(touch.readout, window=window)) == "1,234 m"
