@@ -85,6 +85,12 @@ class Touch:
     """In which the Empty's place is where the hand is to be; while the window moves, it stays."""
     has_modes: bool
     """Whether the stylus button changes the mode, and walls keep the hand in the workspace."""
+    is_simulated: bool
+    """Whether the hand and its handle are simulated."""
+    is_pressed: bool = False
+    """Whether a key or a button of the panel holds the stylus button down."""
+    twist: float = 0.0
+    """Of the simulated handle, radians counter-clockwise."""
     passivity_control: bool = False
     """What the session was told last."""
     readout: Readout | None = None

@@ -135,6 +135,7 @@ def _touch(
         workspace=workspace,
         target_window=window,
         has_modes=has_modes,
+        is_simulated=isinstance(device, SimulatedDevice),
     )
 
 

@@ -15,6 +15,7 @@ from .import_operator import TITLE, HAPTIC_TERRAIN_OT_import_grid
 from .place_words import place_lines
 from .record_operators import HAPTIC_TERRAIN_OT_record_start, HAPTIC_TERRAIN_OT_record_stop
 from .sidebar import TAB, draw_lines, draw_message, draw_text
+from .stylus_buttons import draw_stylus
 from .touch_operators import HAPTIC_TERRAIN_OT_touch_start, HAPTIC_TERRAIN_OT_touch_stop
 
 HELD = {
@@ -84,6 +85,7 @@ class HAPTIC_TERRAIN_PT_touch(bpy.types.Panel):
             layout.operator(HAPTIC_TERRAIN_OT_touch_start.bl_idname, icon="PLAY")
             return
         layout.operator(HAPTIC_TERRAIN_OT_touch_stop.bl_idname, icon="SNAP_FACE")
+        draw_stylus(layout, live.touch)
         _draw_model(layout, live.touch.scene.find())
         if live.touch.target is not None and live.touch.target.find() is None:
             draw_message(layout, "The Touch Target is gone: stop touch and start it again.")

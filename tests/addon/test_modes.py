@@ -222,7 +222,8 @@ def test_the_cursor_shows_each_mode_by_shape_and_colour(terrain: bpy.types.Objec
         touch.session.set_mode(mode)
         step(touch, 100)
         assert cursor().data.name == f"Haptic Cursor {name}"
-        seen[name] = tuple(cursor().data.materials[0].diffuse_color[:])
+        colour: Any = cursor().data.materials[0].diffuse_color
+        seen[name] = tuple(colour)
     assert len(set(seen.values())) == 4
     width, height, _lowest = extent("Haptic Cursor Free")
     assert width == pytest.approx(height)
