@@ -17,13 +17,13 @@ from .workspace import from_workspace, nearest_turn, to_workspace, within_reach
 
 
 def lay_window(touch: Touch, window: Window) -> None:
-    """Lay the workspace elsewhere: what was panned or zoomed ends, and the Empty stays where it is.
+    """Lay the workspace elsewhere: what was panned or zoomed ends; Empty and views stay where they are.
 
     Raises:
         SessionError: too many commands wait already.
     """
     touch.session.set_window(window)
-    touch.target_window = window
+    touch.target_window = touch.view_window = window
 
 
 def carry_target(touch: Touch, placement: Placement) -> None:

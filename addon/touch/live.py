@@ -83,12 +83,16 @@ class Touch:
     """Of the device: width, depth and height, metres."""
     target_window: Window
     """In which the Empty's place is where the hand is to be; while the window moves, it stays."""
+    view_window: Window
+    """Which the views have followed so far."""
     has_modes: bool
     """Whether the stylus button changes the mode, and walls keep the hand in the workspace."""
     is_simulated: bool
     """Whether the hand and its handle are simulated."""
     is_pressed: bool = False
     """Whether a key or a button of the panel holds the stylus button down."""
+    view_scale: float = 1.0
+    """How much nearer the views came since touch began, below 1; the cursor looks as large as ever."""
     twist: float = 0.0
     """Of the simulated handle, radians counter-clockwise."""
     passivity_control: bool = False

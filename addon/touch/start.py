@@ -113,17 +113,19 @@ def _touch(
         place = above_ground(_place(empty, placement, grid), grid, window)
         device = SimulatedDevice(target=to_workspace(place, window, workspace[0]))
     model = chosen_model(scene)
+    session = Session(
+        grid,
+        device,
+        window,
+        max_force=scene.haptic_terrain.max_force,
+        stale_after=stale_after(),
+        walls=has_modes,
+        modes=has_modes,
+        **asdict(model),
+    )
+    session.set_twist(0.0)  # a handle has a direction from the beginning: turns are told from it
     return Touch(
-        session=Session(
-            grid,
-            device,
-            window,
-            max_force=scene.haptic_terrain.max_force,
-            stale_after=stale_after(),
-            walls=has_modes,
-            modes=has_modes,
-            **asdict(model),
-        ),
+        session=session,
         model=model,
         grid=grid,
         georeference=kept.grid.georeference,
@@ -134,6 +136,7 @@ def _touch(
         target=target,
         workspace=workspace,
         target_window=window,
+        view_window=window,
         has_modes=has_modes,
         is_simulated=isinstance(device, SimulatedDevice),
     )

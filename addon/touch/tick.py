@@ -18,6 +18,7 @@ from ..terrain.view import redraw
 from .control import keep_control
 from .cursor import SIZE, cursor_object, shape_of, show_cursor
 from .follow import carry_target, follow_target, lay_window
+from .follow_view import follow_view
 from .live import Readout, Touch, live
 from .model import keep_model
 from .placement import Placement
@@ -59,6 +60,7 @@ def tick() -> None:
         follow_target(touch, placement)
     touch.readout = _readout(touch, state)
     if not live.rendering:
+        follow_view(touch, scene, placement)
         _show(touch, scene, placement, state)
         redraw(bpy.context)
 
@@ -80,7 +82,7 @@ def _show(touch: Touch, scene: bpy.types.Scene, placement: Placement, state: Sta
     east, north, up = state.proxy
     height = touch.surface.height_at(touch.frame.on_map(east), north)
     place: Vector = placement.to_scene(east, north, lifted(up, height))
-    size = SIZE * placement.longest_side(touch.grid.layout)
+    size = SIZE * placement.longest_side(touch.grid.layout) * touch.view_scale
     turn = placement.upright(east, north)
     shape = shape_of(state.mode, in_contact=state.in_contact)
     show_cursor(cursor_object(scene), place, turn, size, shape)

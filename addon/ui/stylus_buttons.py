@@ -19,6 +19,9 @@ def draw_stylus(layout: Any, touch: Touch) -> None:
     """Offer what can be done with the stylus now; nothing where a script moves the hand."""
     if not touch.has_modes:
         return
+    scene = touch.scene.find()
+    if scene is not None:
+        layout.prop(scene.haptic_terrain, "follow_view")
     if not touch.is_pressed:
         layout.operator(HAPTIC_TERRAIN_OT_press.bl_idname, icon="VIEW_PAN")
         return

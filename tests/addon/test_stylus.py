@@ -104,11 +104,13 @@ def test_a_refusal_of_the_servo_leaves_the_button_as_it_was(terrain: bpy.types.O
     touch.session = session
 
 
-def test_twists_add_up_while_the_air_is_held(terrain: bpy.types.Object) -> None:
+@pytest.mark.parametrize("before", [0.0, 90.0])
+def test_twists_add_up_while_the_air_is_held(terrain: bpy.types.Object, before: float) -> None:
     touch = start()
     step(touch)
-    bpy.ops.haptic_terrain.twist(degrees=90.0)
-    step(touch)
+    if before:
+        bpy.ops.haptic_terrain.twist(degrees=before)
+        step(touch)
     assert touch.session.window.turn == 0.0
     bpy.ops.haptic_terrain.press()
     step(touch)
