@@ -149,12 +149,13 @@ def test_a_pan_across_the_seam_of_a_planet_does_not_tear_the_hand_away(tmp_path:
     window = touch.session.window
     seam = Window(10.0, window.north, window.up, width=width / 8.0, exaggeration=window.exaggeration)
     module("touch.follow").lay_window(touch, seam)
-    target().location = (-4.9, 0.0, 0.5)
+    target().location = (4.9, 0.0, 0.5)  # west of the window's middle, at the other edge of what is seen
     drag(touch, 0.0, 0.0, 0.0)
+    assert touch.session.state().hand[0] == pytest.approx(-0.1 / (10.0 / 8.0) * 0.16, abs=2e-3)
     touch.session.set_mode("pan")
     step(touch, 100)
-    drag(touch, 0.3, 0.0, 0.0)
-    assert touch.session.window.east < 0.0
+    drag(touch, -0.3, 0.0, 0.0)
+    assert touch.session.window.east > 0.01 * width
     hand = touch.session.state().hand
     touch.session.set_mode("normal")
     step(touch, 2000)
