@@ -11,11 +11,13 @@ from .terrain import saving
 from .touch import timer
 from .ui import (
     import_operator,
+    keymap,
     panel,
     place_operators,
     profile_operators,
     record_operators,
     settings,
+    stylus_operators,
     touch_operators,
 )
 from .ui.panels import colours, georeference, profile
@@ -27,6 +29,9 @@ CLASSES: tuple[type, ...] = (
     touch_operators.HAPTIC_TERRAIN_OT_touch_start,
     touch_operators.HAPTIC_TERRAIN_OT_touch_update,
     touch_operators.HAPTIC_TERRAIN_OT_touch_stop,
+    stylus_operators.HAPTIC_TERRAIN_OT_press,
+    stylus_operators.HAPTIC_TERRAIN_OT_release,
+    stylus_operators.HAPTIC_TERRAIN_OT_twist,
     record_operators.HAPTIC_TERRAIN_OT_record_start,
     record_operators.HAPTIC_TERRAIN_OT_record_stop,
     place_operators.HAPTIC_TERRAIN_OT_go_to,
@@ -46,7 +51,7 @@ CLASSES: tuple[type, ...] = (
 
 
 def register() -> None:
-    """Add classes, the scene's settings, the menu entry and the handlers."""
+    """Add classes, the scene's settings, the menu entry, the handlers and the key."""
     for cls in CLASSES:
         bpy.utils.register_class(cls)
     bpy.types.Scene.haptic_terrain = bpy.props.PointerProperty(type=settings.HapticTerrainSettings)
@@ -55,10 +60,12 @@ def register() -> None:
     cache.folder = Path(bpy.utils.extension_path_user(__package__, path="cache"))
     saving.register()
     timer.register()
+    keymap.register()
 
 
 def unregister() -> None:
     """Remove what ``register`` added."""
+    keymap.unregister()
     timer.unregister()
     saving.unregister()
     bpy.types.TOPBAR_MT_file_import.remove(import_operator.draw_menu)  # type: ignore[arg-type]

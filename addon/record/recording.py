@@ -27,7 +27,7 @@ class Take:
     take: bpy.types.Object
     trail: bpy.types.Object | None
     keyframes: int
-    """On each of the three curves."""
+    """On each of its curves."""
     seconds: float
     dropped: int
     """Ticks that were lost because Blender was busy for longer than the ring lasts."""

@@ -12,6 +12,9 @@ from .resample import keys_before_jumps, ticks_at_frames
 
 NAME = "Touch Take"
 
+MODE = "haptic_terrain_mode"
+"""ID property of a take, keyed where the hand panned or zoomed: 0 normal, 1 pan, 2 zoom."""
+
 MODELS = "haptic_terrain_models"
 """ID property of a take: the contact models that answered, in their order."""
 
@@ -22,7 +25,7 @@ def add_take(
     """Make the object, at the scene's present frame rate.
 
     Returns:
-        The object, and the number of keyframes on each of its three curves.
+        The object, and the number of keyframes on each of its curves.
     """
     columns = recording.recorder.columns
     felt = ticks_at_frames(columns["time"], scene.render.fps / scene.render.fps_base)
@@ -44,6 +47,10 @@ def add_take(
     for axis in range(3):
         curve = ensure_fcurve(action, take, "location", axis)
         write_keys(curve, frames, [place[axis] for place in places], held)
+    modes = [columns["mode"][tick] for tick in felt]
+    if any(modes):
+        curve = ensure_fcurve(action, take, f'["{MODE}"]', 0)
+        write_keys(curve, frames, modes, [True] * len(modes))
     return take, len(felt)
 
 
@@ -53,6 +60,7 @@ def _object(scene: bpy.types.Scene, recording: Recording, placement: Placement) 
     size = SIZE * placement.longest_side(recording.touch.grid.layout)
     take.scale = (size, size, size)
     take.rotation_euler = placement.rotation.to_euler()
+    take[MODE] = 0
     take[MODELS] = ", ".join(recording.models)
     scene.collection.objects.link(take)
     return take

@@ -1,4 +1,11 @@
-"""The cursor: one object with two meshes, a sphere when free and a downward cone in contact (paper 4.2).
+"""The cursor: one object with a mesh for each thing that the hand can do (MarsView, section 4.2).
+
+| mode | mesh |
+| --- | --- |
+| normal, free | a sphere |
+| normal, in contact | a cone that stands on its tip |
+| pan | a flattened sphere |
+| zoom | an elongated sphere |
 
 It is never keyed: a frame change would take it away from the hand.
 """
@@ -7,12 +14,17 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import bmesh
 import bpy
 from mathutils import Matrix, Quaternion, Vector
 
+from ..terrain.palettes import BLUISH_GREEN, REDDISH_PURPLE, SKY_BLUE, VERMILLION, Colour
 from .own_object import mark_own, own_object
+
+if TYPE_CHECKING:
+    from proxygraph import Mode
 
 NAME = "Haptic Cursor"
 
@@ -25,11 +37,12 @@ SIZE = 0.015
 
 @dataclass(frozen=True)
 class Shape:
-    """One look of the cursor; meshes are one unit high, and the origin is the point that touches."""
+    """One look of the cursor; a sphere is one unit high, and the origin is the point that touches."""
 
     name: str
-    colour: tuple[float, float, float, float]
+    colour: Colour
     build: Callable[[bmesh.types.BMesh], None]
+    is_smooth: bool = True
 
 
 def _build_sphere(mesh: bmesh.types.BMesh) -> None:
@@ -44,9 +57,35 @@ def _build_cone(mesh: bmesh.types.BMesh) -> None:
     )
 
 
-FREE = Shape("Haptic Cursor Free", (0.85, 0.93, 1.0, 1.0), _build_sphere)
-TAKE = Shape("Haptic Take", (1.0, 0.75, 0.1, 1.0), _build_cone)
-CONTACT = Shape("Haptic Cursor Contact", (0.05, 0.85, 0.35, 1.0), _build_cone)
+def _build_flat(mesh: bmesh.types.BMesh) -> None:
+    """Lay a flattened sphere on the point that is held."""
+    _build_ellipsoid(mesh, across=1.3, high=0.45, middle=0.225)
+
+
+def _build_tall(mesh: bmesh.types.BMesh) -> None:
+    """Put an elongated sphere around the point that is held."""
+    _build_ellipsoid(mesh, across=0.55, high=1.8, middle=0.0)
+
+
+def _build_ellipsoid(mesh: bmesh.types.BMesh, *, across: float, high: float, middle: float) -> None:
+    squeezed = Matrix.LocRotScale((0.0, 0.0, middle), None, (across, across, high))
+    bmesh.ops.create_uvsphere(mesh, u_segments=24, v_segments=12, radius=0.5, matrix=squeezed)
+
+
+FREE = Shape("Haptic Cursor Free", SKY_BLUE, _build_sphere)
+CONTACT = Shape("Haptic Cursor Contact", BLUISH_GREEN, _build_cone, is_smooth=False)
+PAN = Shape("Haptic Cursor Pan", VERMILLION, _build_flat)
+ZOOM = Shape("Haptic Cursor Zoom", REDDISH_PURPLE, _build_tall)
+TAKE = Shape("Haptic Take", (1.0, 0.75, 0.1), _build_cone, is_smooth=False)
+
+
+def shape_of(mode: Mode, *, in_contact: bool) -> Shape:
+    """Choose the look of what the hand does."""
+    if mode == "pan":
+        return PAN
+    if mode == "zoom":
+        return ZOOM
+    return CONTACT if in_contact else FREE
 
 
 def cursor_object(scene: bpy.types.Scene) -> bpy.types.Object:
@@ -60,9 +99,7 @@ def cursor_object(scene: bpy.types.Scene) -> bpy.types.Object:
     return cursor
 
 
-def show_cursor(
-    cursor: bpy.types.Object, place: Vector, turn: Quaternion, size: float, *, in_contact: bool
-) -> None:
+def show_cursor(cursor: bpy.types.Object, place: Vector, turn: Quaternion, size: float, shape: Shape) -> None:
     """Move the cursor and give it its shape.
 
     Args:
@@ -70,7 +107,7 @@ def show_cursor(
         turn: the terrain's rotation.
         size: Blender units.
     """
-    mesh = shape_mesh(CONTACT if in_contact else FREE)
+    mesh = shape_mesh(shape)
     if cursor.data is not mesh:
         cursor.data = mesh
     cursor.matrix_world = Matrix.LocRotScale(place[:], turn, (size, size, size))
@@ -86,7 +123,7 @@ def shape_mesh(shape: Shape) -> bpy.types.Mesh:
     shape.build(building)
     building.to_mesh(mesh)
     building.free()
-    mesh.shade_smooth() if shape is FREE else mesh.shade_flat()
+    mesh.shade_smooth() if shape.is_smooth else mesh.shade_flat()
     mesh.materials.append(_material(shape))
     return mesh
 
@@ -95,9 +132,10 @@ def _material(shape: Shape) -> bpy.types.Material:
     material = bpy.data.materials.new(shape.name)
     if material.node_tree is None:  # older than 5.0
         material.use_nodes = True
-    material.diffuse_color = shape.colour  # type: ignore[assignment]
+    colour = (*shape.colour, 1.0)
+    material.diffuse_color = colour  # type: ignore[assignment]
     surface = next(node for node in material.node_tree.nodes if node.type == "BSDF_PRINCIPLED")
-    surface.inputs["Base Color"].default_value = shape.colour
-    surface.inputs["Emission Color"].default_value = shape.colour
+    surface.inputs["Base Color"].default_value = colour
+    surface.inputs["Emission Color"].default_value = colour
     surface.inputs["Emission Strength"].default_value = 0.3
     return material

@@ -11,6 +11,7 @@ from proxygraph import Grid, Window
 from ..terrain.frame import map_size, nearest_on_map
 from ..terrain.kept import KeptTerrain, recall
 from ..terrain.view import look_at
+from .follow import lay_window
 from .live import Touch, live
 from .placement import Placement
 from .target import clearance, move_target
@@ -45,7 +46,7 @@ def go_to(context: bpy.types.Context, terrain: bpy.types.Object, longitude: floa
     placement = Placement.of(terrain, kept.frame)
     window = _window(touch, grid, placement, east, north, up)
     if touch is not None:
-        touch.session.set_window(window)
+        lay_window(touch, window)
     place = placement.to_scene(east, north, up)
     if context.scene is not None:
         context.scene.cursor.location = place
@@ -112,4 +113,4 @@ def _window(
     across, down = map_size(grid.layout)
     if window.width >= max(across, down):
         return window
-    return Window(east, north, up, width=window.width, exaggeration=window.exaggeration)
+    return Window(east, north, up, width=window.width, exaggeration=window.exaggeration, turn=window.turn)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 import bpy
-from proxygraph import Grid, Session
+from proxygraph import Grid, Session, Window
 
 from ..formats import Georeference
 from ..terrain.frame import TerrainFrame
@@ -21,6 +21,9 @@ class Readout:
     """What the panel shows of the newest tick."""
 
     mode: str
+    """One of ``normal``, ``pan`` and ``zoom``."""
+    window: Window
+    """Where the workspace lies."""
     in_contact: bool
     coordinates: tuple[float, float] | None
     """Degrees east and north; ``None`` where the grid's projection is not known."""
@@ -76,8 +79,22 @@ class Touch:
     terrain: Handle[bpy.types.Object]
     target: Handle[bpy.types.Object] | None
     """The Empty; ``None`` where the device needs none."""
-    workspace_width: float
-    """Of the device, metres."""
+    workspace: tuple[float, float, float]
+    """Of the device: width, depth and height, metres."""
+    target_window: Window
+    """In which the Empty's place is where the hand is to be; while the window moves, it stays."""
+    view_window: Window
+    """Which the views have followed so far."""
+    has_modes: bool
+    """Whether the stylus button changes the mode, and walls keep the hand in the workspace."""
+    is_simulated: bool
+    """Whether the hand and its handle are simulated."""
+    is_pressed: bool = False
+    """Whether a key or a button of the panel holds the stylus button down."""
+    view_scale: float = 1.0
+    """How much nearer the views came since touch began, below 1; the cursor looks as large as ever."""
+    twist: float = 0.0
+    """Of the simulated handle, radians counter-clockwise."""
     passivity_control: bool = False
     """What the session was told last."""
     readout: Readout | None = None

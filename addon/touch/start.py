@@ -29,7 +29,7 @@ from .stop import stop_touch
 from .target import above_ground, add_target, target_object, target_place
 from .tick import UNUSABLE, tick
 from .timer import start_timer
-from .workspace import to_workspace, whole_map
+from .workspace import BETWEEN_WALLS, to_workspace, whole_map
 
 Device = ScriptedDevice | SimulatedDevice
 
@@ -40,6 +40,7 @@ def start_touch(
     terrain: bpy.types.Object | None = None,
     device: Device | None = None,
     window: Window | None = None,
+    modes: bool | None = None,
     on_the_clock: bool = True,
 ) -> Touch:
     """Put a hand on a terrain.
@@ -48,6 +49,8 @@ def start_touch(
         terrain: the terrain object; the chosen one where it is left out.
         device: the hand; a simulated one that follows the Empty "Touch Target" where it is left out.
         window: where the device's workspace lies; from the scene's settings where it is left out.
+        modes: whether the stylus button changes the mode, and walls keep the hand in the workspace; left out,
+            for every device that a person holds: a script's hand goes where the script wants.
         on_the_clock: run at 1 kHz; otherwise ticks are done by ``session.step``, for tests and scripts.
 
     Raises:
@@ -59,7 +62,8 @@ def start_touch(
     terrain = terrain or chosen_terrain(context)
     with undone_on_failure():
         try:
-            touch = _touch(context, terrain, device, window)
+            has_modes = not isinstance(device, ScriptedDevice) if modes is None else modes
+            touch = _touch(context, terrain, device, window, has_modes=has_modes)
             if on_the_clock:
                 touch.session.start()
             live.touch, live.message = touch, ""
@@ -81,7 +85,12 @@ def start_touch(
 
 
 def _touch(
-    context: bpy.types.Context, terrain: bpy.types.Object, device: Device | None, window: Window | None
+    context: bpy.types.Context,
+    terrain: bpy.types.Object,
+    device: Device | None,
+    window: Window | None,
+    *,
+    has_modes: bool,
 ) -> Touch:
     """Make the session, not yet started.
 
@@ -96,7 +105,7 @@ def _touch(
     if not placement.is_usable:
         raise ValueError(UNUSABLE)
     workspace = (device or SimulatedDevice()).workspace
-    window = window or _window(scene, placement, grid, kept, workspace)
+    window = window or _window(scene, placement, grid, kept, workspace, has_walls=has_modes)
     target = None
     if device is None:
         empty = target_object(scene) or add_target(context, placement, window)
@@ -104,15 +113,19 @@ def _touch(
         place = above_ground(_place(empty, placement, grid), grid, window)
         device = SimulatedDevice(target=to_workspace(place, window, workspace[0]))
     model = chosen_model(scene)
+    session = Session(
+        grid,
+        device,
+        window,
+        max_force=scene.haptic_terrain.max_force,
+        stale_after=stale_after(),
+        walls=has_modes,
+        modes=has_modes,
+        **asdict(model),
+    )
+    session.set_twist(0.0)  # a handle has a direction from the beginning: turns are told from it
     return Touch(
-        session=Session(
-            grid,
-            device,
-            window,
-            max_force=scene.haptic_terrain.max_force,
-            stale_after=stale_after(),
-            **asdict(model),
-        ),
+        session=session,
         model=model,
         grid=grid,
         georeference=kept.grid.georeference,
@@ -121,7 +134,11 @@ def _touch(
         scene=Handle.to(scene),
         terrain=Handle.to(terrain),
         target=target,
-        workspace_width=workspace[0],
+        workspace=workspace,
+        target_window=window,
+        view_window=window,
+        has_modes=has_modes,
+        is_simulated=isinstance(device, SimulatedDevice),
     )
 
 
@@ -172,9 +189,13 @@ def _window(
     grid: Grid,
     kept: KeptTerrain,
     workspace: tuple[float, float, float],
+    *,
+    has_walls: bool,
 ) -> Window:
     """Lay the workspace over the whole map, or as wide as the person wants it around the Empty."""
     east, north, whole = whole_map(grid.layout, workspace)
+    if has_walls:
+        whole /= BETWEEN_WALLS
     width = scene.haptic_terrain.window_width * 1000.0  # the setting has kilometres
     empty = target_object(scene)
     if width > 0.0 and empty is not None:

@@ -49,7 +49,12 @@ def move_target(scene: bpy.types.Scene, place: Vector) -> None:
     """Bring the Empty to a place in the scene, where there is one."""
     target = target_object(scene)
     if target is not None:
-        target.matrix_world = Matrix.Translation(place[:]) @ target.matrix_world.to_3x3().to_4x4()
+        place_target(target, place)
+
+
+def place_target(target: bpy.types.Object, place: Vector) -> None:
+    """Bring the Empty to a place in the scene."""
+    target.matrix_world = Matrix.Translation(place[:]) @ target.matrix_world.to_3x3().to_4x4()
 
 
 def clearance(window: Window) -> float:

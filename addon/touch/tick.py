@@ -10,19 +10,20 @@ from contextlib import suppress
 
 import bpy
 from mathutils import Vector
-from proxygraph import SessionError, State, Window
+from proxygraph import SessionError, State
 
 from ..terrain.frame import is_on_map, place_in_grid
 from ..terrain.kept import KeptError, recall_frame
 from ..terrain.view import redraw
 from .control import keep_control
-from .cursor import SIZE, cursor_object, show_cursor
+from .cursor import SIZE, cursor_object, shape_of, show_cursor
+from .follow import carry_target, follow_target, lay_window
+from .follow_view import follow_view
 from .live import Readout, Touch, live
 from .model import keep_model
 from .placement import Placement
 from .stop import collect_ticks, stop_touch
-from .target import target_place
-from .workspace import to_workspace
+from .windows import stretched
 
 UNUSABLE = "the terrain's location, rotation or scale cannot be used; give it a scale that is not 0."
 
@@ -51,12 +52,15 @@ def tick() -> None:
     keep_model(touch, scene)
     keep_control(touch, scene)
     # As many commands may wait as the servo takes at a time: the next tick tells it the same, or better.
-    with suppress(SessionError):
-        _keep_exaggeration(touch, placement)
-        _follow_target(touch, placement)
     state = touch.session.state()
+    with suppress(SessionError):
+        if state.mode == "normal":  # what is held in pan and zoom must not be torn away
+            carry_target(touch, placement)
+            _keep_exaggeration(touch, placement)
+        follow_target(touch, placement)
     touch.readout = _readout(touch, state)
     if not live.rendering:
+        follow_view(touch, scene, placement)
         _show(touch, scene, placement, state)
         redraw(bpy.context)
 
@@ -70,25 +74,7 @@ def _keep_exaggeration(touch: Touch, placement: Placement) -> None:
     """Let the hand feel heights as they are seen, also after a person stretched the terrain."""
     window = touch.session.window
     if not math.isclose(window.exaggeration, placement.exaggeration, rel_tol=1e-4):
-        touch.session.set_window(
-            Window(
-                window.east,
-                window.north,
-                window.up,
-                width=window.width,
-                exaggeration=placement.exaggeration,
-                turn=window.turn,
-            )
-        )
-
-
-def _follow_target(touch: Touch, placement: Placement) -> None:
-    """Pull the simulated hand to the Empty; where the Empty is gone, or nowhere, the hand stays."""
-    empty = touch.target.find() if touch.target is not None else None
-    place = target_place(empty, placement, touch.grid.layout) if empty is not None else None
-    if place is None:
-        return
-    touch.session.set_target(*to_workspace(place, touch.session.window, touch.workspace_width))
+        lay_window(touch, stretched(window, placement.exaggeration))
 
 
 def _show(touch: Touch, scene: bpy.types.Scene, placement: Placement, state: State) -> None:
@@ -96,9 +82,10 @@ def _show(touch: Touch, scene: bpy.types.Scene, placement: Placement, state: Sta
     east, north, up = state.proxy
     height = touch.surface.height_at(touch.frame.on_map(east), north)
     place: Vector = placement.to_scene(east, north, lifted(up, height))
-    size = SIZE * placement.longest_side(touch.grid.layout)
+    size = SIZE * placement.longest_side(touch.grid.layout) * touch.view_scale
     turn = placement.upright(east, north)
-    show_cursor(cursor_object(scene), place, turn, size, in_contact=state.in_contact)
+    shape = shape_of(state.mode, in_contact=state.in_contact)
+    show_cursor(cursor_object(scene), place, turn, size, shape)
 
 
 def _readout(touch: Touch, state: State) -> Readout:
@@ -108,6 +95,7 @@ def _readout(touch: Touch, state: State) -> Readout:
     coordinates = touch.georeference.longitude_latitude(column, row)
     return Readout(
         mode=state.mode,
+        window=state.window,
         in_contact=state.in_contact,
         coordinates=coordinates,
         own=(touch.georeference.x(column), touch.georeference.y(row)),

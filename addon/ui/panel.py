@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import bpy
 
 from ..terrain.kept import KeptError, recall
@@ -13,6 +15,7 @@ from .import_operator import TITLE, HAPTIC_TERRAIN_OT_import_grid
 from .place_words import place_lines
 from .record_operators import HAPTIC_TERRAIN_OT_record_start, HAPTIC_TERRAIN_OT_record_stop
 from .sidebar import TAB, draw_lines, draw_message, draw_text
+from .stylus_buttons import draw_stylus
 from .touch_operators import HAPTIC_TERRAIN_OT_touch_start, HAPTIC_TERRAIN_OT_touch_stop
 
 HELD = {
@@ -24,6 +27,10 @@ HELD = {
     "below": "Hand is under the ground",
 }
 """Why the force is away, short enough for a line; the panel *Safety* has the sentences."""
+
+
+MODES = {"normal": "Normal", "pan": "Pan: ground held", "zoom": "Zoom: air held"}
+"""What the hand's motion does."""
 
 
 class HAPTIC_TERRAIN_PT_terrain(bpy.types.Panel):
@@ -78,11 +85,12 @@ class HAPTIC_TERRAIN_PT_touch(bpy.types.Panel):
             layout.operator(HAPTIC_TERRAIN_OT_touch_start.bl_idname, icon="PLAY")
             return
         layout.operator(HAPTIC_TERRAIN_OT_touch_stop.bl_idname, icon="SNAP_FACE")
+        draw_stylus(layout, live.touch)
         _draw_model(layout, live.touch.scene.find())
         if live.touch.target is not None and live.touch.target.find() is None:
             draw_message(layout, "The Touch Target is gone: stop touch and start it again.")
         if live.touch.readout is not None:
-            exaggeration = live.touch.session.window.exaggeration
+            exaggeration = live.touch.readout.window.exaggeration
             in_degrees = live.touch.georeference.projection.in_degrees
             draw_lines(layout, readout_lines(live.touch.readout, exaggeration, in_degrees=in_degrees))
 
@@ -137,9 +145,10 @@ class HAPTIC_TERRAIN_PT_record(bpy.types.Panel):
 def readout_lines(readout: Readout, exaggeration: float, *, in_degrees: bool) -> list[tuple[str, str]]:
     """Put the newest tick into words."""
     lines = [
-        ("Mode", readout.mode.title()),
+        ("Mode", MODES[readout.mode]),
         ("Contact", "Touching" if readout.in_contact else "Free"),
         ("Force", f"{readout.force:.2f} N"),
+        ("Reach", reach(readout)),
         ("Missed ticks", f"{readout.missed_ticks:,} of {readout.ticks + readout.missed_ticks:,}"),
     ]
     if readout.held is not None:
@@ -148,6 +157,15 @@ def readout_lines(readout: Readout, exaggeration: float, *, in_degrees: bool) ->
     beside = [("Place", "Beside the map")]
     lines[2:2] = place_lines(readout, exaggeration, in_degrees=in_degrees) if readout.on_map else beside
     return lines
+
+
+def reach(readout: Readout) -> str:
+    """How much terrain lies under the hand's whole reach, and how it is turned."""
+    window = readout.window
+    metres = window.width
+    width = f"{metres:,.0f} m" if metres < 1e4 else f"{metres / 1000.0:,.0f} km"
+    degrees = round(math.degrees(window.turn)) % 360
+    return f"{width}, turned {degrees}\N{DEGREE SIGN}" if degrees else width
 
 
 def servo_lines(readout: Readout) -> list[tuple[str, str]]:

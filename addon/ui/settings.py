@@ -75,6 +75,11 @@ class HapticTerrainSettings(bpy.types.PropertyGroup):
         max=50.0,
         update=_switch,
     )
+    follow_view: bpy.props.BoolProperty(
+        name="View Follows",
+        description="The 3D views go along while the hand pans, zooms or turns",
+        default=True,
+    )
     trail: bpy.props.BoolProperty(
         name="Trail",
         description="Draw a trail over the terrain, coloured by force, when a recording stops",

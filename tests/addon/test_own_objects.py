@@ -127,7 +127,8 @@ def test_the_window_of_a_tall_map_holds_all_of_it(tmp_path: Path) -> None:
     terrain = import_grid(MegdrPair(rough(60, 40)).write(tmp_path))
     window = start(terrain=terrain).session.window
     layout = module("terrain.kept").recall(terrain).grid.layout
-    assert window.width * 0.12 / 0.16 == pytest.approx(59 * layout.cell_height)
+    between_walls = 0.9
+    assert window.width * 0.12 / 0.16 * between_walls == pytest.approx(59 * layout.cell_height)
 
 
 def test_ticks_between_the_last_look_and_the_stop_belong_to_the_take(terrain: bpy.types.Object) -> None:

@@ -311,3 +311,32 @@ def test_the_trail_does_not_join_both_sides_of_a_planet(tmp_path: Path) -> None:
     for face in mesh.polygons:
         xs = [places[number, 0] for number in face.vertices]
         assert max(xs) - min(xs) < 1.0
+
+
+def test_a_take_tells_when_the_hand_panned_and_zoomed(terrain: bpy.types.Object) -> None:
+    touch = start(device=sweep(), modes=True)
+    where = terrain.matrix_world.copy()
+    bpy.ops.haptic_terrain.record_start()
+    for mode in ("normal", "zoom", "normal", "pan"):
+        touch.session.set_mode(mode)
+        touch.session.step(500)
+        module("touch.tick").tick()
+    felt = touch.session.statistics().mode_changes
+    take = module("record.recording").stop_recording(bpy.context).take
+    assert felt == 3
+    assert terrain.matrix_world == where
+    curves = {(curve.data_path, curve.array_index): curve for curve in curves_of(take)}
+    keys = curves['["haptic_terrain_mode"]', 0].keyframe_points
+    assert len(keys) == len(curves["location", 0].keyframe_points)
+    assert {key.interpolation for key in keys} == {"CONSTANT"}
+    fps = bpy.context.scene.render.fps
+    seen = [keys[round((0.25 + half / 2.0) * fps)].co.y for half in range(4)]
+    assert seen == [0.0, 2.0, 0.0, 1.0]
+    bpy.context.scene.frame_set(round(bpy.context.scene.frame_current + 0.75 * fps))
+    assert take["haptic_terrain_mode"] == 2
+
+
+def test_a_take_without_modes_has_no_curve_of_them(terrain: bpy.types.Object) -> None:
+    take = record(start(device=sweep()), 500)
+    assert take["haptic_terrain_mode"] == 0
+    assert {curve.data_path for curve in curves_of(take)} == {"location"}
