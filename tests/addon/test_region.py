@@ -147,6 +147,9 @@ def test_a_box_on_a_projected_map_is_the_rectangle_around_it(pair: MegdrPair, tm
             away = 1000.0 * (90.0 - latitude)
             return away * sin(radians(longitude)), -away * cos(radians(longitude))
 
+        def inverse(self, _x: float, _y: float, _ellipsoid: object) -> None:
+            return None  # its scale is not asked for here
+
         def turn(self, _ellipsoid: object) -> None:
             return None
 
