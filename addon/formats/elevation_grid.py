@@ -7,7 +7,7 @@ from pathlib import Path
 
 from proxygraph import DecodeError, Grid, GridError, GridLayout, Progress
 
-from .cache import cached_file
+from .cache import CacheError, cached_file, is_full, refused_by_system
 from .decoders import DECODERS
 from .decoding import Decoding
 from .format_error import FormatError
@@ -83,7 +83,11 @@ class ElevationGrid:
             raise native_refusal(
                 self.data_path, error, "The file has changed since: import the grid again."
             ) from error
+        except CacheError as error:
+            raise self._cache_refusal(error) from error
         except (GridError, OSError) as error:
+            if isinstance(error, OSError) and is_full(error):
+                raise self._cache_refusal(refused_by_system(error, self.layout.byte_length)) from error
             raise FormatError(
                 self.data_path,
                 "samples",
@@ -91,3 +95,9 @@ class ElevationGrid:
                 expected=f"{self.layout.samples:,} readable samples",
                 way_out="Put the data file back where it was, or import the grid again.",
             ) from error
+
+    def _cache_refusal(self, error: CacheError) -> FormatError:
+        """The data file is whole: what is wrong is where its samples were to be written."""
+        return FormatError(
+            self.data_path, "cache", found=error.found, expected=error.expected, way_out=error.way_out
+        )

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import errno
 import os
+import subprocess
+import sys
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from pathlib import Path
@@ -10,7 +13,7 @@ from pathlib import Path
 import pytest
 from proxygraph import Grid, GridLayout, Progress
 
-from addon.formats import ElevationGrid, Region, read_grid
+from addon.formats import ElevationGrid, FormatError, Region, read_grid
 from addon.formats import cache as caching
 from addon.formats.cache import cache, cache_file, cached_file, make_room
 from addon.formats.decoders import DECODERS
@@ -114,12 +117,93 @@ def test_use_makes_a_file_young(tmp_path: Path, small: Path, calls: list[Path | 
     assert len(calls) == 1
 
 
-def test_what_an_unfinished_decoder_left_counts_and_goes(small: Path) -> None:
-    small.mkdir()
-    (small / f"x{caching.SUFFIX}.123.part").write_bytes(bytes(100))
-    cache.most_on_disk = 50
+def dead_process() -> int:
+    """The number of a process that was."""
+    with subprocess.Popen([sys.executable, "-c", ""]) as process:
+        process.wait()
+    return process.pid
+
+
+def unfinished(folder: Path, process: int) -> Path:
+    folder.mkdir(exist_ok=True)
+    part = folder / f"x{caching.SUFFIX}.{process}.0.part"
+    part.write_bytes(bytes(100))
+    return part
+
+
+def test_what_a_dead_process_left_goes_with_the_next_decoding(
+    tmp_path: Path, small: Path, calls: list[Path | None]
+) -> None:
+    dead, living = unfinished(small, dead_process()), unfinished(small, os.getppid())
+    whole = small / f"y{caching.SUFFIX}"
+    whole.write_bytes(bytes(100))
+    decoded(tmp_path).open()
+    assert not dead.exists()
+    assert living.exists()
+    assert whole.exists()
+    assert len(calls) == 1
+
+
+def test_what_nobody_can_still_be_writing_goes_though_the_number_lives(
+    tmp_path: Path, small: Path, calls: list[Path | None]
+) -> None:
+    old = unfinished(small, os.getpid())
+    os.utime(old, (0, 0))
+    decoded(tmp_path).open()
+    assert not old.exists()
+    assert len(calls) == 1
+
+
+def test_a_file_that_is_being_written_counts_and_stays(small: Path) -> None:
+    part = unfinished(small, os.getpid())
+    whole = small / f"y{caching.SUFFIX}"
+    whole.write_bytes(bytes(100))
+    cache.most_on_disk = 150
     make_room(10)
-    assert not list(small.iterdir())
+    assert list(small.iterdir()) == [part]
+
+
+def test_a_grid_larger_than_the_whole_cache_is_refused_before_anything_goes(
+    tmp_path: Path, small: Path
+) -> None:
+    small.mkdir()
+    other = small / f"other{caching.SUFFIX}"
+    other.write_bytes(bytes(100))
+    grid = read_grid(esri_ascii(tmp_path))
+    cache.most_on_disk = grid.layout.byte_length - 1
+    with pytest.raises(
+        FormatError, match=r"grid\.asc: cache: found 24 bytes .* at most 23 .* smaller region"
+    ):
+        grid.open()
+    assert list(small.iterdir()) == [other]
+
+
+def test_a_cache_folder_that_cannot_be_made_is_not_blamed_on_the_data(tmp_path: Path, small: Path) -> None:
+    small.write_text("a file where the folder should be")
+    with pytest.raises(FormatError, match="cache: found the cache folder") as refused:
+        read_grid(esri_ascii(tmp_path)).open()
+    assert str(small) in str(refused.value)
+    assert "24 bytes" in str(refused.value)
+    assert "Put the data file back" not in str(refused.value)
+
+
+def test_a_cache_folder_that_may_not_be_written_to_is_named(
+    tmp_path: Path, small: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    small.mkdir()
+    monkeypatch.setattr(os, "access", lambda *_: False)  # the person who runs the tests may be allowed all
+    with pytest.raises(FormatError, match=f"cache: found the cache folder {small} .*denied"):
+        read_grid(esri_ascii(tmp_path)).open()
+
+
+@pytest.mark.usefixtures("small")
+def test_a_full_disk_is_not_blamed_on_the_data(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def decode(*_: object) -> Grid:
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    monkeypatch.setitem(DECODERS, "test", decode)
+    with pytest.raises(FormatError, match=r"cache: found the cache folder .*No space left.*Free space"):
+        decoded(tmp_path).open()
 
 
 def esri_ascii(folder: Path) -> Path:

@@ -6,6 +6,7 @@ use std::alloc::{self, Layout};
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicU64, Ordering};
 use surface::{Grid, GridLayout};
 
 /// The bytes of a grid in the making, as its layout has them.
@@ -56,17 +57,10 @@ impl Target {
     /// The room is taken from the disk here and now: a full disk is an error here, and no signal
     /// (SIGBUS) when a sample is written to the mapped file.
     pub fn file(layout: GridLayout, path: &Path) -> Result<Self, DecodeError> {
-        let mut part = path.as_os_str().to_owned();
-        part.push(format!(".{}.part", std::process::id()));
-        let unfinished = Unfinished(PathBuf::from(part));
-        let file = OpenOptions::new()
-            .read(true)
-            .write(true)
-            .create(true)
-            .truncate(true)
-            .open(&unfinished.0)?;
+        let (file, unfinished) = unfinished_file(path)?;
         reserve(&file, layout.byte_length())?;
-        // SAFETY: the file was made here under a name of this process; nobody else cuts it.
+        // SAFETY: `unfinished_file` made the file, under a name that no other target has: none of them
+        // cuts it. Who removes it takes its name away, and leaves the bytes to this mapping.
         let mapping = unsafe { MmapMut::map_mut(&file)? };
         Ok(Self { layout, bytes: Bytes::File { mapping, unfinished, path: path.to_owned() } })
     }
@@ -146,6 +140,25 @@ impl Band<'_> {
     /// Where the band has no such row.
     pub fn row(&mut self, row: u32) -> &mut [u8] {
         &mut self.bytes[row as usize * self.stride..][..self.length]
+    }
+}
+
+/// Makes a file beside `path` that is nobody else's: `path.PROCESS.NUMBER.part`.
+///
+/// Several imports may decode the same file at once, in one process or in two. The process is named so that
+/// what a dead one left is told from what a living one writes.
+fn unfinished_file(path: &Path) -> io::Result<(File, Unfinished)> {
+    static NUMBER: AtomicU64 = AtomicU64::new(0);
+    loop {
+        let number = NUMBER.fetch_add(1, Ordering::Relaxed);
+        let mut part = path.as_os_str().to_owned();
+        part.push(format!(".{}.{number}.part", std::process::id()));
+        match OpenOptions::new().read(true).write(true).create_new(true).open(&part) {
+            Ok(file) => return Ok((file, Unfinished(PathBuf::from(part)))),
+            // A process that had this number before left it.
+            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
+            Err(error) => return Err(error),
+        }
     }
 }
 
@@ -249,6 +262,26 @@ mod tests {
         let path = folder.join("grid");
         assert!(matches!(Target::file(layout, &path), Err(DecodeError::File(_))));
         assert_eq!(fs::read_dir(&folder).unwrap().count(), 0);
+        fs::remove_dir_all(&folder).unwrap();
+    }
+
+    #[test]
+    fn two_decodings_of_one_file_at_once_both_end_whole() {
+        let folder = std::env::temp_dir().join(format!("decode-twice-{}", std::process::id()));
+        fs::create_dir_all(&folder).unwrap();
+        let path = folder.join("grid");
+        let mut first = Target::file(layout(), &path).unwrap();
+        first.row(0).copy_from_slice(&[9, 0, 8, 0, 7, 0]);
+        first.row(1).copy_from_slice(&[6, 0, 5, 0, 4, 0]);
+        let second = Target::file(layout(), &path).unwrap();
+        assert_eq!(first.row(0), [9, 0, 8, 0, 7, 0], "the second does not write over it");
+        let first = first.finish().unwrap();
+        let second = fill(second);
+        assert_eq!((first.elevation(0, 0), first.elevation(2, 1)), (Some(9.0), Some(4.0)));
+        assert_eq!((second.elevation(0, 0), second.elevation(2, 1)), (Some(1.0), Some(6.0)));
+        let left: Vec<_> =
+            fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().file_name()).collect();
+        assert_eq!(left, ["grid"]);
         fs::remove_dir_all(&folder).unwrap();
     }
 
