@@ -406,6 +406,35 @@ def test_the_stated_value_for_missing_heights_is_a_hole(
     assert read_back(read_geotiff(file.write(tmp_path))) == [[height, None], [height, height]]
 
 
+@pytest.mark.parametrize("text", ["-3.40282e+38", "-3.402823e+38", "-3.4028e+38", "-3.4e+38"])
+@pytest.mark.parametrize("compression", [1, 8])
+def test_the_largest_number_written_with_few_digits_is_a_hole(
+    tmp_path: Path, text: str, compression: int
+) -> None:
+    for void in (-3.4028234663852886e38, float(text)):
+        heights = [[5.0, void], [-7.0, 5.0]]
+        file = TiffFile(heights, sample="f32", compression=compression, tags={42113: (ASCII, text)})
+        assert read_back(read_geotiff(file.write(tmp_path))) == [[5.0, None], [-7.0, 5.0]]
+
+
+def test_tiles_that_were_left_out_are_holes_like_a_void_written_with_few_digits(tmp_path: Path) -> None:
+    file = TiffFile(
+        [[-3.4e38, 7.0, 5.0, 6.0]] * 4,
+        sample="f32",
+        compression=8,
+        tile=(2, 4),
+        absent=frozenset({1}),
+        tags={42113: (ASCII, "-3.4e+38")},
+    )
+    assert read_back(read_geotiff(file.write(tmp_path)))[0] == [None, 7.0, None, None]
+
+
+def test_a_void_beside_the_largest_number_that_is_written_out_is_what_it_is(tmp_path: Path) -> None:
+    null, below = -3.4028226550889045e38, -3.4028234663852886e38
+    file = TiffFile([[5.0, null], [below, 5.0]], sample="f32", tags={42113: (ASCII, repr(null))})
+    assert read_back(read_geotiff(file.write(tmp_path)))[0] == [5.0, None]
+
+
 @pytest.mark.parametrize(
     ("sample", "text"), [("u16", "-9999"), ("i16", "nan"), ("i16", "0.5"), ("u8", "1e9"), ("i16", "no")]
 )

@@ -32,6 +32,7 @@ class StandIn:
     nodata: float | None = None
     scales: tuple[float, ...] = (1.0,)
     offsets: tuple[float, ...] = (0.0,)
+    units: tuple[str | None, ...] = (None,)
     driver: str = "HFA"
 
     @property
@@ -114,6 +115,90 @@ def test_void_factor_and_offset(file: Path, monkeypatch: pytest.MonkeyPatch) -> 
     values = np.array([[1, -9999], [2, 3]], dtype=np.int16)
     use(monkeypatch, StandIn(values=values, nodata=-9999.0, scales=(0.5,), offsets=(10.0,)))
     assert heights(read_grid(file)) == [[10.5, None], [11.0, 11.5]]
+
+
+def test_the_void_is_rounded_as_the_samples_are(file: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    values = np.array([[1, -9999.9], [2, 3]], dtype=np.float32)
+    use(monkeypatch, StandIn(values=values, nodata=-9999.9))
+    assert heights(read_grid(file)) == [[1.0, None], [2.0, 3.0]]
+
+
+@pytest.mark.parametrize(("unit", "metres"), [("ft", 0.3048), ("US survey foot", 1200 / 3937), ("m", 1.0)])
+def test_heights_in_the_unit_of_the_band_become_metres(
+    file: Path, monkeypatch: pytest.MonkeyPatch, unit: str, metres: float
+) -> None:
+    values = np.array([[1, 2], [3, 4]], dtype=np.int16)
+    use(monkeypatch, StandIn(values=values, scales=(10.0,), offsets=(5.0,), units=(unit,)))
+    grid = read_grid(file)
+    assert heights(grid)[1][1] == pytest.approx(45.0 * metres)
+    assert grid.georeference.vertical_unit == unit
+
+
+def test_a_unit_of_heights_that_is_not_known_is_told(file: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    use(monkeypatch, StandIn(units=("fathom",)))
+    assert any("fathom" in note for note in read_grid(file).notes)
+
+
+WGS_84 = (
+    'GEOGCS["WGS 84",DATUM["WGS_1984",SPHEROID["WGS 84",6378137,298.257223563]],'
+    'PRIMEM["{meridian}",{longitude}],UNIT["degree",0.0174532925199433]]'
+)
+FEET = (
+    'PROJCS["in feet",' + WGS_84.format(meridian="Greenwich", longitude=0) + ',PROJECTION["{method}"],'
+    'PARAMETER["latitude_of_origin",0],PARAMETER["central_meridian",-123],'
+    'PARAMETER["scale_factor",0.9996],PARAMETER["false_easting",1640416.667],PARAMETER["false_northing",0],'
+    'UNIT["US survey foot",0.304800609601219]]'
+)
+
+
+def system(wkt: str, **others: Any) -> SimpleNamespace:
+    """What rasterio says of a coordinate system."""
+    return SimpleNamespace(
+        to_string=lambda: "x", to_wkt=lambda: wkt, is_geographic=wkt.startswith("GEOGCS"), **others
+    )
+
+
+@pytest.mark.parametrize("method", ["Transverse_Mercator", "Krovak"])
+def test_a_map_in_feet_becomes_metres(file: Path, monkeypatch: pytest.MonkeyPatch, method: str) -> None:
+    transform = SimpleNamespace(a=100.0, b=0.0, c=1640366.667, d=0.0, e=-100.0, f=500.0)
+    use(monkeypatch, StandIn(crs=system(FEET.format(method=method)), transform=transform))
+    grid = read_grid(file)
+    assert grid.layout.cell_width == pytest.approx(30.48006096)
+    assert grid.georeference.first_x == pytest.approx(500_000.0, abs=0.01)
+    assert grid.georeference.first_y == pytest.approx(450 * 0.3048006096)
+    place = grid.georeference.longitude_latitude(0.0, 0.0)
+    assert (place is None) == (method == "Krovak")
+    assert place is None or place[0] == pytest.approx(237.0, abs=1e-6)
+
+
+def test_the_unit_of_a_map_whose_text_says_nothing_is_asked_for(
+    file: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    crs = system("PROJCRS[]", linear_units_factor=("foot", 0.3048), to_dict=dict)
+    use(monkeypatch, StandIn(crs=crs))
+    assert read_grid(file).layout.cell_width == pytest.approx(45.0 * 0.3048)
+
+
+def test_longitudes_are_counted_from_greenwich(file: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    use(monkeypatch, StandIn(crs=system(WGS_84.format(meridian="Paris", longitude=2.33722917))))
+    assert read_grid(file).georeference.first_x == pytest.approx(-157.5 + 2.33722917)
+
+
+@pytest.mark.parametrize(("radius", "kind"), [("298.257223563", "planetographic"), ("0", "planetocentric")])
+def test_latitudes_are_those_of_the_ellipsoid(
+    file: Path, monkeypatch: pytest.MonkeyPatch, radius: str, kind: str
+) -> None:
+    wkt = WGS_84.format(meridian="Greenwich", longitude=0).replace("298.257223563", radius)
+    use(monkeypatch, StandIn(crs=system(wkt)))
+    assert read_grid(file).georeference.latitude_kind == kind
+
+
+def test_degrees_without_a_coordinate_system_are_assumed(file: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    transform = SimpleNamespace(a=0.001, b=0.0, c=7.0, d=0.0, e=-0.001, f=47.0)
+    use(monkeypatch, StandIn(transform=transform))
+    grid = read_grid(file)
+    assert grid.layout.cell_height == pytest.approx(111.17, abs=0.05)
+    assert any("assumed" in note for note in grid.notes)
 
 
 @pytest.mark.parametrize(

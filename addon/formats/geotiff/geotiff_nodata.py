@@ -9,6 +9,7 @@ from struct import pack, unpack
 from proxygraph import GeoTiff, Grid, GridLayout
 
 from ..decoding import Decoding
+from ..raw.stored_samples import LARGEST_FLOAT, void_of
 from .geotiff_decoder import decode_geotiff
 from .geotiff_tags import GDAL_NODATA, Tags
 
@@ -22,10 +23,11 @@ LIMITS = {
 }
 """Of whole numbers in files."""
 
-LARGEST_SINGLE = unpack("<f", b"\xff\xff\x7f\x7f")[0]
-
-CUSTOMARY = (-32_768.0, -32_767.0, -9_999.0, -99_999.0, -999_999.0, -LARGEST_SINGLE)
+CUSTOMARY = (-32_768.0, -32_767.0, -9_999.0, -99_999.0, -999_999.0, -LARGEST_FLOAT)
 """What people write where there is no height, and forget to say so."""
+
+FAR_OUT = 0.999 * LARGEST_FLOAT
+"""Beyond, values stand for the largest number, written with three digits or more ("-3.4e+38")."""
 
 LONELY = 1_000.0
 """Metres without any height above a value that is no height itself: real ground has heights in between."""
@@ -53,19 +55,29 @@ def stated_void(tags: Tags) -> tuple[float | None, list[str]]:
         least, most = LIMITS[stored]
         if not (least <= value <= most and value == int(value)):
             return None, [f"No sample can have the stated value for missing heights ({text[:20]})."]
-    elif stored == "f32":
-        value = as_single(value)
     if not math.isfinite(value):
         return None, ["Samples that are not finite numbers are holes."]
-    return value, []
+    return (void_of("f32", value) if stored == "f32" else value), []
 
 
-def as_single(value: float) -> float:
-    """Round to what 32 bits hold, as the samples are."""
-    if not math.isfinite(value):
-        return value
-    bounded = max(-LARGEST_SINGLE, min(LARGEST_SINGLE, value))
-    return float(unpack("<f", pack("<f", bounded))[0])
+def void_written_short(
+    path: Path, tags: Tags, layout: GridLayout, decoding: Decoding | None, void: float
+) -> float:
+    """The void value that samples have where the file's text of it has too few digits to tell.
+
+    "-3.402823e+38" and "-3.4e+38" stand for the largest number of 32 bits with its sign, but some programs
+    store what they write: the lowest sample decides. ``void`` comes back where there is nothing to decide.
+
+    Raises:
+        DecodeError, GridError, OSError: samples cannot be read.
+    """
+    if tags.tiff.stored != "f32" or void > -FAR_OUT:
+        return void
+    stated = float(tags.text(GDAL_NODATA).strip().strip("\0"))
+    if math.isclose(stated, _single(stated), rel_tol=1e-9):
+        return void
+    lowest = _lowest(path, layout, decoding, _bands(tags.tiff, layout), None)
+    return void if lowest is None or lowest > -FAR_OUT else lowest
 
 
 def unstated_void(
@@ -96,6 +108,13 @@ def unstated_void(
     if above in CUSTOMARY:
         note += f" Samples of {above:g} may be holes too."
     return lowest, [note]
+
+
+def _single(value: float) -> float:
+    """The number of 32 bits that is nearest to this one."""
+    bounded = max(-LARGEST_FLOAT, min(LARGEST_FLOAT, value))
+    rounded: float = unpack("<f", pack("<f", bounded))[0]
+    return rounded
 
 
 def _bands(tiff: GeoTiff, layout: GridLayout) -> list[tuple[int, int]]:

@@ -18,7 +18,7 @@ from ..format_error import FormatError
 from ..georeference import Georeference
 from ..projections import Unknown
 from .geotiff_frame import Frame, frame_of
-from .geotiff_nodata import stated_void, unstated_void
+from .geotiff_nodata import stated_void, unstated_void, void_written_short
 from .geotiff_place import Place, place_of
 from .geotiff_tags import Tags
 from .geotiff_values import Values, values_of
@@ -106,20 +106,27 @@ def _samples(
     tiff = tags.tiff
     void, notes = stated_void(tags)
     in_place = None if place.is_south_up else tiff.in_place
-    decoding = None
-    if in_place is None:
-        fill = 0.0 if void is None else void
-        decoding = Decoding("geotiff", options={"south_up": place.is_south_up, "fill": fill})
+    # What the file leaves out is no sample to look at: it is filled with the void value only afterwards.
+    looked_at = _decoding(place, None) if in_place is None else None
     try:
         layout = _layout(tags, georeference, values, in_place, void)
-        if void is None and not notes:
-            void, notes = unstated_void(tags.path, tiff, layout, decoding)
+        fill = stated = void
+        if void is not None:
+            fill = void = void_written_short(tags.path, tags, layout, looked_at, void)
+        elif not notes:
+            void, notes = unstated_void(tags.path, tiff, layout, looked_at)
+        if void != stated:
             layout = _layout(tags, georeference, values, in_place, void)
     except (GridError, OverflowError) as error:
         if isinstance(error, DecodeError):
             raise refused(tags.path, error) from error
         raise tags.wrong("size and values", error, "a grid that can be touched", REPAIR) from error
-    return layout, decoding, notes
+    return layout, None if in_place else _decoding(place, fill), notes
+
+
+def _decoding(place: Place, void: float | None) -> Decoding:
+    fill = 0.0 if void is None else void
+    return Decoding("geotiff", options={"south_up": place.is_south_up, "fill": fill})
 
 
 def _layout(

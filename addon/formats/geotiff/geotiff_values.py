@@ -7,29 +7,9 @@ import math
 import re
 from dataclasses import dataclass
 
+from ..height_units import UNITS
 from .geotiff_frame import Frame
 from .geotiff_tags import GDAL_METADATA, Tags
-
-UNITS = {
-    "m": 1.0,
-    "metre": 1.0,
-    "metres": 1.0,
-    "meter": 1.0,
-    "meters": 1.0,
-    "ft": 0.3048,
-    "foot": 0.3048,
-    "feet": 0.3048,
-    "us survey foot": 1200.0 / 3937.0,
-    "us_survey_foot": 1200.0 / 3937.0,
-    "ftus": 1200.0 / 3937.0,
-    "us-ft": 1200.0 / 3937.0,
-    "km": 1000.0,
-    "kilometre": 1000.0,
-    "kilometer": 1000.0,
-    "cm": 0.01,
-    "dm": 0.1,
-}
-"""Metres in each unit that GDAL writes for heights, in small letters."""
 
 ITEM = re.compile(r"<Item\b([^<>]{0,400})>([^<]{0,200})</Item>")
 """A line of the metadata; XML is not parsed as such, for it may hide entities without end."""

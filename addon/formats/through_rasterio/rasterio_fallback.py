@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -13,11 +14,13 @@ from ..decoding import Decoding
 from ..elevation_grid import ElevationGrid
 from ..file_bytes import file_length, read_head
 from ..format_error import FormatError
-from ..frames.map_frame import frame_of_text
-from ..georeference import Georeference
+from ..frames.map_frame import MapFrame, frame_beside, frame_of_text
+from ..georeference import Georeference, LatitudeKind
+from ..height_units import UNITS
 from ..not_a_grid import kind_of_file, without_header
-from ..projections import Geographic, Projection, Unknown
-from ..refusal import first_line, refusal
+from ..projections import Geographic, Unknown
+from ..raw.stored_samples import void_of
+from ..refusal import Refuse, first_line, refusal
 from ..region import SAMPLE_BYTES
 from . import jpeg2000
 from .rasterio_library import SAMPLES, open_raster, rasterio_module
@@ -51,6 +54,10 @@ MAGIC_BYTES = 1024
 
 MOST_BYTES = 4 << 30
 """Of samples that are brought into memory; a small packed file may stand for more than any machine has."""
+
+
+LEAST_UNIT = 1e-9
+"""Metres; a map's unit is between this and its inverse."""
 
 
 def may_read(head: bytes) -> bool:
@@ -111,7 +118,8 @@ def _described(path: Path, source: Any) -> ElevationGrid:
             f"at most {MOST_BYTES:,}",
             "Cut the grid, or convert it to ENVI.",
         )
-    georeference, notes = _georeference(source, refuse)
+    heights, notes_on_heights = _heights(source)
+    georeference, notes = _georeference(path, source, heights, refuse)
     width, height = georeference.cell_size(source.height, source.width)
     try:
         layout = GridLayout(
@@ -121,9 +129,9 @@ def _described(path: Path, source: Any) -> ElevationGrid:
             cell_height=height,
             sample=sample,
             byte_order="little",
-            scale=float(source.scales[0]),
-            value_offset=float(source.offsets[0]),
-            void=None if source.nodata is None else float(source.nodata),
+            scale=float(source.scales[0]) * heights.metres,
+            value_offset=float(source.offsets[0]) * heights.metres,
+            void=None if source.nodata is None else void_of(sample, float(source.nodata)),
             wraps=georeference.spans_the_globe(source.width),
         )
     except (GridError, OverflowError) as error:
@@ -136,57 +144,76 @@ def _described(path: Path, source: Any) -> ElevationGrid:
         title=f"{georeference.body} {path.stem}".strip(),
         format=f"{source.driver} (rasterio)",
         decoding=Decoding(KIND),
-        notes=("Read through rasterio.", *notes),
+        notes=("Read through rasterio.", *notes, *notes_on_heights),
     )
 
 
-def _georeference(source: Any, refuse: Any) -> tuple[Georeference, tuple[str, ...]]:
+@dataclass(frozen=True)
+class _Heights:
+    """The unit of heights."""
+
+    name: str = "m"
+    metres: float = 1.0
+
+
+def _heights(source: Any) -> tuple[_Heights, tuple[str, ...]]:
+    """The unit that GDAL found for the first band; metres where there is none."""
+    name = str(next(iter(source.units), None) or "").strip()
+    metres = UNITS.get(name.lower())
+    if metres is not None:
+        return _Heights(name, metres), ()
+    if not name:
+        return _Heights(), ()
+    return _Heights(), (f'The unit of heights is "{name[:40]}", which is not known here: m is assumed.',)
+
+
+def _georeference(
+    path: Path, source: Any, heights: _Heights, refuse: Refuse
+) -> tuple[Georeference, tuple[str, ...]]:
     """From the transform and the coordinate system that GDAL found."""
     transform = source.transform
+    found = (transform.a, transform.b, transform.d, transform.e)
     if transform.b != 0.0 or transform.d != 0.0 or transform.a <= 0.0 or transform.e == 0.0:
-        raise refuse(
-            "transform",
-            (transform.a, transform.b, transform.d, transform.e),
-            "rows to the east, columns to the south",
-            "Warp the grid north up.",
-        )
-    notes: list[str] = []
+        raise refuse("transform", found, "rows to the east, columns to the south", "Warp the grid north up.")
     down = -transform.e
     if down < 0.0:
-        raise refuse(
-            "transform",
-            (transform.a, transform.b, transform.d, transform.e),
-            "the first row in the north",
-            "Flip the grid.",
-        )
-    projection: Projection = Unknown()
-    ellipsoid, body, frame = WGS84, "", ""
-    crs = source.crs
-    if crs is not None:
-        frame = str(crs.to_string())[:200]
-        told = frame_of_text(crs.to_wkt())
-        if told is not None and (told.unit, told.shift_x) == (1.0, 0.0):
-            projection, ellipsoid, body = told.projection, told.ellipsoid, told.body
-        elif crs.is_geographic:
-            projection, ellipsoid = Geographic(), _ellipsoid(crs) or WGS84
-        else:
-            notes.append("The projection is not known here: places are given in the map's metres only.")
-    else:
-        notes.append("The file does not state its coordinate system.")
+        raise refuse("transform", found, "the first row in the north", "Flip the grid.")
+    first = (transform.c + transform.a / 2.0, transform.f - down / 2.0)
+    step, size = (transform.a, down), (source.width, source.height)
+    frame = _frame(source.crs) if source.crs is not None else frame_beside(path, first, step, size)
+    georeference = frame.georeference(*first, *step, "cells", refuse, size)
+    kind: LatitudeKind = "planetocentric" if frame.ellipsoid.is_sphere else "planetographic"
     return (
-        Georeference(
-            body=body,
-            ellipsoid=ellipsoid,
-            projection=projection,
-            first_x=transform.c + transform.a / 2.0,
-            first_y=transform.f - down / 2.0,
-            step_x=transform.a,
-            step_y=down,
+        replace(
+            georeference,
             vertical_reference="not stated",
-            frame=frame,
+            vertical_unit=heights.name,
+            latitude_kind=kind,
         ),
-        tuple(notes),
+        frame.notes,
     )
+
+
+def _frame(crs: Any) -> MapFrame:
+    """The frame of a coordinate system; what the text of it does not tell, rasterio is asked."""
+    name = str(crs.to_string())[:200]
+    told = frame_of_text(crs.to_wkt())
+    if told is not None:
+        return replace(told, frame=name)
+    ellipsoid = _ellipsoid(crs) or WGS84
+    if crs.is_geographic:
+        return MapFrame("", ellipsoid, Geographic(), name)
+    note = "The projection is not known here: places are given in the map's metres only."
+    return MapFrame("", ellipsoid, Unknown(), name, unit=_metres(crs), notes=(note,))
+
+
+def _metres(crs: Any) -> float:
+    """Metres for one unit of a map."""
+    try:
+        metres = float(crs.linear_units_factor[1])
+    except Exception:  # rasterio raises its own where there is none
+        return 1.0
+    return metres if LEAST_UNIT <= metres <= 1.0 / LEAST_UNIT else 1.0
 
 
 def _ellipsoid(crs: Any) -> Ellipsoid | None:
