@@ -184,7 +184,7 @@ def _georeference(source: Any, refuse: Any) -> tuple[Georeference, tuple[str, ..
             step_y=down,
             vertical_reference="not stated",
             frame=frame,
-        ),
+        ).closed(source.width),
         tuple(notes),
     )
 
