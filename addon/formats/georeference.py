@@ -52,6 +52,12 @@ class Georeference:
         """Whether so many columns go once around: the map then has neither an east nor a west edge."""
         return self.projection.in_degrees and math.isclose(columns * self.step_x, 360.0, rel_tol=1e-9)
 
+    def closed(self, columns: int) -> Georeference:
+        """The same, gone exactly once around where so many columns do, but for digits that a header lacks."""
+        if not self.projection.in_degrees:
+            return self
+        return replace(self, step_x=step_once_around(self.step_x, columns))
+
     def cell_size(self, rows: int, columns: int) -> tuple[float, float]:
         """Metres between neighbouring columns and between neighbouring rows.
 
@@ -105,3 +111,11 @@ class Georeference:
     def cut(self, region: Region) -> Georeference:
         """The place of a region of the grid."""
         return replace(self, first_x=self.x(region.first_column), first_y=self.y(region.first_row))
+
+
+def step_once_around(step: float, columns: int) -> float:
+    """The step of 360 degrees in so many columns, where the stated one misses that by less than half a step.
+
+    A twelfth of a degree, as 0.0833333, leaves a gap at the seam that no header means.
+    """
+    return 360.0 / columns if abs(columns * step - 360.0) < step / 2.0 else step

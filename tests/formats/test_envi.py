@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 
 import pytest
@@ -88,6 +89,53 @@ def test_utm_zones_give_longitude_and_latitude(tmp_path: Path, half: str, north:
     assert grid.notes == ()
 
 
+@pytest.mark.parametrize(
+    ("units", "metres"),
+    [
+        ("Meters", 1.0),
+        ("Km", 1000.0),
+        ("Feet", 0.3048),
+        ("US Survey Feet", 1200 / 3937),
+        ("Miles", 1609.344),
+        ("Nautical Miles", 1852.0),
+    ],
+)
+def test_lengths_of_map_info_have_its_units(tmp_path: Path, units: str, metres: float) -> None:
+    words = {"map info": f"{{UTM, 1, 1, 500, 600, 10, 20, 10, North, WGS-84, units={units}}}"}
+    grid = read_grid(EnviPair(words=words).write(tmp_path))
+    assert grid.layout.cell_width == pytest.approx(10.0 * metres, rel=1e-12)
+    assert grid.layout.cell_height == pytest.approx(20.0 * metres, rel=1e-12)
+    assert grid.georeference.x(0) == pytest.approx(505.0 * metres, rel=1e-12)
+    assert grid.georeference.y(0) == pytest.approx(590.0 * metres, rel=1e-12)
+
+
+@pytest.mark.parametrize("datum", ["WGS-84", "D_Mars_2000", "of nobody"])
+@pytest.mark.parametrize(
+    ("units", "degrees"),
+    [("Degrees", 1.0), ("Minutes", 1 / 60), ("SECONDS", 1 / 3600), ("Radians", 180 / math.pi)],
+)
+def test_angles_of_map_info_have_its_units(tmp_path: Path, units: str, degrees: float, datum: str) -> None:
+    x, y, step = 10.0 / degrees, 50.0 / degrees, 0.5 / degrees
+    words = {"map info": f"{{Geographic Lat/Lon, 1, 1, {x}, {y}, {step}, {step}, {datum}, units={units}}}"}
+    place = read_grid(EnviPair(words=words).write(tmp_path)).georeference
+    assert (place.x(0), place.y(0), place.step_x) == pytest.approx((10.25, 49.75, 0.5))
+
+
+def test_the_feet_of_the_coordinate_system_string_are_more_exact(tmp_path: Path) -> None:
+    told = (
+        'PROJCS["x",GEOGCS["GCS_WGS_1984",DATUM["D_WGS_1984",SPHEROID["WGS_1984",6378137,298.257223563]],'
+        'PRIMEM["Greenwich",0],UNIT["Degree",0.017453292519943295]],PROJECTION["Transverse_Mercator"],'
+        'PARAMETER["False_Easting",0],PARAMETER["False_Northing",0],PARAMETER["Central_Meridian",-123],'
+        'PARAMETER["Scale_Factor",0.9996],PARAMETER["Latitude_Of_Origin",0],UNIT["Foot_US",0.30480060960121924]]'
+    )
+    words = {
+        "map info": "{Transverse Mercator, 1, 1, 0, 0, 1, 1, WGS-84, units=Feet}",
+        "coordinate system string": f"{{{told}}}",
+    }
+    place = read_grid(EnviPair(words=words).write(tmp_path)).georeference
+    assert place.step_x == pytest.approx(1200 / 3937, rel=1e-9)
+
+
 def test_without_map_info_the_grid_is_read_and_says_so(tmp_path: Path) -> None:
     grid = read_grid(EnviPair(words={"map info": None}).write(tmp_path))
     assert grid.layout.cell_width == 1.0
@@ -125,6 +173,12 @@ def test_keywords_in_capitals_and_carriage_returns(tmp_path: Path) -> None:
         ({"map info": "{UTM, 1, 1, 5, 5, 0, 1, 10, North}"}, ["x size", "above 0"]),
         ({"map info": "{UTM, 1, 1, 1e300, 5, 1, 1}"}, ["coordinates on a planet"]),
         ({"map info": "{UTM, 1, 1, 5, 5, 1, 1, 10, North, rotation=30}"}, ["rotation", "30"]),
+        ({"map info": "{UTM, 1, 1, 5, 5, 1, 1, 10, North, units=Cubits}"}, ["units", "cubits", "feet"]),
+        ({"map info": "{UTM, 1, 1, 5, 5, 1, 1, 10, North, units=Degrees}"}, ["units", "degrees", "Meters"]),
+        (
+            {"map info": "{Geographic Lat/Lon, 1, 1, 0, 5, 1, 1, WGS-84, units=Feet}"},
+            ["units", "feet", "Degrees"],
+        ),
         (
             {"map info": "{Geographic Lat/Lon, 1, 1, 0, 500, 1, 1, WGS-84}"},
             ["place of the grid", "498.5 to 499.5"],

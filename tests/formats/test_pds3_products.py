@@ -181,6 +181,35 @@ def test_a_void_of_real_numbers(tmp_path: Path, written: str) -> None:
     assert heights(grid) == [[1, None], [3, 4]]
 
 
+@pytest.mark.parametrize("written", ["16#8000#", "16#FFFF8000#", '"16#8000#"', "-32768", "32768"])
+def test_a_void_of_whole_numbers_written_as_bits(tmp_path: Path, written: str) -> None:
+    pair = MegdrPair([[1, -32768], [3, 4]], image={"MISSING_CONSTANT": written})
+    assert heights(read_grid(pair.write(tmp_path))) == [[1, None], [3, 4]]
+
+
+def test_the_bits_of_a_double(tmp_path: Path) -> None:
+    image = {"SAMPLE_TYPE": "IEEE_REAL", "SAMPLE_BITS": 64, "MISSING_CONSTANT": "16#FFEFFFFFFFFFFFFB#"}
+    rows = [[1, -1.7976931348623149e308], [3, 4]]
+    grid = read_grid(MegdrPair(rows, image=image, sample=">d").write(tmp_path))  # type: ignore[arg-type]
+    assert heights(grid) == [[1, None], [3, 4]]
+
+
+@pytest.mark.parametrize(
+    ("written", "named"),
+    [
+        ("16#18000#", "16#18000#"),
+        ('"16#18000#"', "16#18000#"),
+        (f"16#{'F' * 5000}#", "300 digits"),
+        (f'"16#{"F" * 5000}#"', "16#FFFF"),
+    ],
+)
+def test_bits_that_no_sample_has_are_refused(tmp_path: Path, written: str, named: str) -> None:
+    pair = MegdrPair([[1, 2], [3, 4]], image={"MISSING_CONSTANT": written})
+    text = complaint(pair.write(tmp_path))
+    for word in ("MISSING_CONSTANT", named):
+        assert word in text
+
+
 @pytest.mark.parametrize("value", ["'N/A'", '"UNK"', "NULL"])
 def test_a_void_that_is_not_applicable(tmp_path: Path, value: str) -> None:
     pair = MegdrPair([[1, 2], [3, 4]], image={"MISSING_CONSTANT": value})

@@ -149,6 +149,38 @@ def test_a_void_written_as_bits(tmp_path: Path) -> None:
     assert heights(read_grid(pair.write(tmp_path)))[0] == [1, None, 3]
 
 
+@pytest.mark.parametrize("written", ["16#8000#", "0x8000", "16#FFFF8000#", "0xffffffffffff8000", "-32768"])
+def test_a_void_of_whole_numbers_written_as_bits(tmp_path: Path, written: str) -> None:
+    pair = Pds4Pair(constants=f"<missing_constant>{written}</missing_constant>")
+    grid = read_grid(pair.write(tmp_path))
+    assert heights(grid) == EXPECTED
+    found = grid.open().range()
+    assert found is not None
+    assert found.minimum == -20
+
+
+def test_bits_of_samples_without_a_sign(tmp_path: Path) -> None:
+    rows = [[1, 0x8000, 3], [4, 5, 6]]
+    constants = "<missing_constant>16#8000#</missing_constant>"
+    pair = Pds4Pair(rows, sample=">H", data_type="UnsignedMSB2", constants=constants)
+    assert heights(read_grid(pair.write(tmp_path)))[0] == [1, None, 3]
+
+
+def test_the_bits_of_a_double(tmp_path: Path) -> None:
+    rows: list[list[float]] = [[1, -1.7976931348623149e308, 3], [4, 5, 6]]
+    constants = "<missing_constant>16#FFEFFFFFFFFFFFFB#</missing_constant>"
+    pair = Pds4Pair(rows, sample=">d", data_type="IEEE754MSBDouble", constants=constants)
+    assert heights(read_grid(pair.write(tmp_path)))[0] == [1, None, 3]
+
+
+@pytest.mark.parametrize("written", ["16#18000#", "0xFFFF7FFF", f"0x{'F' * 5000}"])
+def test_bits_that_no_sample_has_are_refused(tmp_path: Path, written: str) -> None:
+    pair = Pds4Pair(constants=f"<missing_constant>{written}</missing_constant>")
+    text = complaint(pair.write(tmp_path))
+    for word in ("missing_constant", written[:20], "the 16 bits of a sample"):
+        assert word in text
+
+
 @pytest.mark.parametrize(
     "name", ["../grid.img", "/etc/passwd", "sub/grid.img", "C:grid.img", "..", "g" * 300]
 )

@@ -73,7 +73,7 @@ class MapFrame:
             frame=self.frame,
         )
         check_place(georeference, rows, columns, refuse)
-        return georeference
+        return georeference.closed(columns)
 
     def in_metres(self, samples: StoredSamples) -> StoredSamples:
         """The same samples, their heights in the unit that this map states."""

@@ -61,7 +61,7 @@ def read_geotiff(path: Path) -> ElevationGrid:
             expected="a readable file",
             way_out="Check its path and its permissions.",
         ) from error
-    georeference = _georeference(frame, place, values)
+    georeference = _georeference(frame, place, values).closed(tiff.columns)
     layout, decoding, notes = _samples(tags, georeference, place, values)
     return ElevationGrid(
         path=path,

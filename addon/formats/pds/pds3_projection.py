@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 
 from ..body.ellipsoid import Ellipsoid
-from ..georeference import Georeference
+from ..georeference import Georeference, step_once_around
 from ..projections import Geographic, Projection
 from .label import Label
 from .pds3_map import DEGREES, MAP, PIXELS_PER_DEGREE, Pds3Map
@@ -93,8 +93,7 @@ class _Place:
                 "CENTER_LATITUDE", true_scale, "a latitude within +-90", "Mend the label."
             )
         step_x = step_y / shrinking
-        if abs(self.map.columns * step_x - 360.0) < step_x / 2.0:
-            step_x = 360.0 / self.map.columns  # once around, which a rounded scale misses
+        step_x = step_once_around(step_x, self.map.columns)  # which a rounded scale misses
         line, sample = self.map.origin()
         middle = self.map.optional("CENTER_LONGITUDE", DEGREES) or 0.0
         first_x, first_y = middle - sample * step_x, line * step_y

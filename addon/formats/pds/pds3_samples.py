@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import struct
-
 from ..raw.raw_samples import RAW_BYTES, ByteOrder, RawSample
 from ..raw.stored_samples import StoredSamples
 from .label import Label
 from .pds3_values import Pds3Values
+from .void_bits import hexadecimal, sample_of_bits
 
 BIG_INTEGERS = ("MSB_INTEGER", "INTEGER", "SUN_INTEGER", "MAC_INTEGER")
 LITTLE_INTEGERS = ("LSB_INTEGER", "PC_INTEGER", "VAX_INTEGER")
@@ -98,14 +97,39 @@ def _stored(label: Label, image: tuple[str, ...]) -> tuple[RawSample, ByteOrder]
 
 
 def _void(label: Label, image: tuple[str, ...], stored: RawSample) -> float | None:
-    """The value that means "no data"; as bits where a whole number stands for a real one (16#FF7FFFFB#)."""
+    """The value that means "no data"; where its bits are stated (16#8000#) the sample that has them."""
     for keyword in VOIDS:
         value = label.value(*image, keyword, default=None)
-        if value is None or isinstance(value, str):  # N/A, NULL, UNK
+        if value is None:
             continue
+        if isinstance(value, str):
+            bits = hexadecimal(value)
+            if bits is not None:
+                return _of_bits(label, keyword, bits, value, stored)
+            continue  # N/A, NULL, UNK
         number = label.number(*image, keyword)
-        if stored == "f32" and isinstance(value, int) and 2**31 <= value < 2**32:
-            written: float = struct.unpack(">f", struct.pack(">I", value))[0]
-            return written
+        if isinstance(value, int) and _may_be_bits(value, stored):
+            return _of_bits(label, keyword, value, f"{value:,} (16#{value:X}#)", stored)
         return number
     return None
+
+
+def _of_bits(label: Label, keyword: str, bits: int, written: str, stored: RawSample) -> float:
+    try:
+        return sample_of_bits(bits, stored)
+    except ValueError as error:
+        size = f"the {8 * RAW_BYTES[stored]} bits of a sample"
+        raise label.wrong(keyword, written, size, "Mend the label.") from error
+
+
+def _may_be_bits(number: int, stored: RawSample) -> bool:
+    """Whether a whole number is the bits of a sample: pvl does not tell how it was written.
+
+    Where it is a sample's value it has the same bits; as a value of real samples only numbers are believed
+    that have neither bit 31 nor bit 63, the signs.
+    """
+    if stored == "f32":
+        return 2**31 <= number < 2**32
+    if stored == "f64":
+        return 2**63 <= number < 2**64
+    return number >= 0

@@ -6,7 +6,6 @@ Array_2D_Map; Element_Array; Special_Constants.
 
 from __future__ import annotations
 
-import struct
 from pathlib import Path
 from xml.etree.ElementTree import Element
 
@@ -14,11 +13,12 @@ from ..elevation_grid import ElevationGrid
 from ..file_bytes import check_length
 from ..partner_file import file_in_any_case
 from ..raw.data_beside import first_beside, is_bare_file_name
-from ..raw.raw_samples import ByteOrder, RawSample
+from ..raw.raw_samples import RAW_BYTES, ByteOrder, RawSample
 from ..raw.stored_samples import StoredSamples
 from .label import Units
 from .pds4_label import Pds4Label, local_name, read_pds4_label
 from .pds4_projection import pds4_georeference
+from .void_bits import hexadecimal, sample_of_bits
 
 ARRAYS = ("Array_2D_Image", "Array_2D_Map", "Array_2D", "Array_3D_Image", "Array_3D")
 
@@ -151,7 +151,7 @@ def _samples(label: Pds4Label, array: Element) -> tuple[StoredSamples, str, tupl
         offset=_offset(label, array),
         scale=metres * (1.0 if scale is None else scale),
         value_offset=metres * offset,
-        void=_void(label, array),
+        void=_void(label, array, stored),
     )
     bands = sizes.get("band", 1)
     notes = (f"The file has {bands} bands: the first is read.",) if bands > 1 else ()
@@ -212,7 +212,7 @@ def _offset(label: Pds4Label, array: Element) -> int:
     return int(number)
 
 
-def _void(label: Pds4Label, array: Element) -> float | None:
+def _void(label: Pds4Label, array: Element, stored: RawSample) -> float | None:
     constants = label.first("Special_Constants", within=array)
     if constants is None:
         return None
@@ -220,21 +220,12 @@ def _void(label: Pds4Label, array: Element) -> float | None:
         text = label.text(name, within=constants, default="")
         if text.lower() in {"", "nan", "-nan", "inf", "-inf"}:
             continue
-        return _constant(label, constants, name, text)
+        bits = hexadecimal(text)
+        if bits is None:
+            return label.number(name, within=constants)
+        try:
+            return sample_of_bits(bits, stored)
+        except ValueError as error:
+            size = f"the {8 * RAW_BYTES[stored]} bits of a sample"
+            raise label.wrong(name, text, size, "Mend the label.") from error
     return None
-
-
-def _constant(label: Pds4Label, constants: Element, name: str, text: str) -> float:
-    """A decimal number, or one written as 16#FF7FFFFB#, the bits of a single-precision one."""
-    if text.upper().startswith("16#") or text.lower().startswith("0x"):
-        return _bits(label, name, text)
-    return label.number(name, within=constants)
-
-
-def _bits(label: Pds4Label, name: str, text: str) -> float:
-    digits = text[2:] if text.lower().startswith("0x") else text[3:].rstrip("#")
-    try:
-        number: float = struct.unpack(">f", bytes.fromhex(digits.zfill(8)))[0]
-    except (ValueError, struct.error) as error:
-        raise label.wrong(name, text, "a number", "Mend the label.") from error
-    return number

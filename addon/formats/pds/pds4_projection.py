@@ -10,7 +10,7 @@ import math
 from xml.etree.ElementTree import Element
 
 from ..body.ellipsoid import Ellipsoid
-from ..georeference import Georeference, LatitudeKind
+from ..georeference import Georeference, LatitudeKind, step_once_around
 from ..projections import Geographic, Projection
 from .label import Units
 from .pds4_label import Pds4Label
@@ -76,8 +76,7 @@ class _Place:
         shrunk = degree * math.cos(math.radians(true_scale))
         step_x, step_y = (metres[0] or 0.0) / shrunk, (metres[1] or 0.0) / degree
         west = middle + corner[0] / shrunk
-        if abs(self.columns * step_x - 360.0) < step_x / 2.0:
-            step_x = 360.0 / self.columns  # once around, which a rounded scale misses
+        step_x = step_once_around(step_x, self.columns)  # which a rounded scale misses
         origin = self._degrees("latitude_of_projection_origin") or 0.0
         north = origin + corner[1] / degree
         return self._in_degrees(west, north, step_x, step_y, ellipsoid), ()

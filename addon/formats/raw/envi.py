@@ -6,18 +6,20 @@ of the first pixel, and (1.5, 1.5) its centre.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 from ..body.datums import WGS84
 from ..body.ellipsoid import Ellipsoid
 from ..elevation_grid import ElevationGrid
 from ..file_bytes import check_length
-from ..frames.map_frame import GEOGRAPHIC_WGS84, MapFrame, assumed_frame, frame_of_text
+from ..frames.map_frame import GEOGRAPHIC_WGS84, MapFrame, frame_of_text
 from ..georeference import Georeference
 from ..partner_file import file_in_any_case
 from ..projections import Geographic, TransverseMercator, Unknown
 from .data_beside import first_beside
 from .envi_header import EnviHeader, read_envi_header
+from .envi_units import in_stated_units
 from .raw_samples import RAW_BYTES, ByteOrder, RawSample
 from .stored_samples import StoredSamples
 
@@ -154,20 +156,14 @@ def _georeference(header: EnviHeader, samples: StoredSamples) -> tuple[Georefere
         if step <= 0.0:
             raise header.wrong(field, f"{step:g}", "a number above 0", "Mend the header.")
     first_x, first_y = x + (1.5 - pixel_x) * step_x, y - (1.5 - pixel_y) * step_y
-    frame = _frame(header, positional, (first_x, first_y), (step_x, step_y), size)
+    frame = in_stated_units(header, _frame(header, positional), named.get("units", ""))
     return (
         frame.georeference(first_x, first_y, step_x, step_y, "cells", header.wrong, size),
         frame.notes,
     )
 
 
-def _frame(
-    header: EnviHeader,
-    positional: list[str],
-    first: tuple[float, float],
-    step: tuple[float, float],
-    size: tuple[int, int],
-) -> MapFrame:
+def _frame(header: EnviHeader, positional: list[str]) -> MapFrame:
     """The coordinate system string where it is understood, else the names in ``map info``."""
     told = header.text("coordinate system string", "")
     frame = frame_of_text(told) if told else None
@@ -187,7 +183,8 @@ def _frame(
             )
         if "WGS" in words:
             return GEOGRAPHIC_WGS84
-        return assumed_frame("The datum is not understood", first, step, size)
+        note = "The datum is not understood: WGS 84 is assumed."
+        return replace(GEOGRAPHIC_WGS84, frame="WGS 84 (assumed)", notes=(note,))
     utm = _utm(header, positional) if name == "utm" else None
     if utm is not None:
         return utm

@@ -189,7 +189,7 @@ def _georeference(
             vertical_reference="not stated",
             vertical_unit=heights.name,
             latitude_kind=kind,
-        ),
+        ).closed(source.width),
         frame.notes,
     )
 
