@@ -9,7 +9,13 @@ from dataclasses import dataclass
 from ..formats import ElevationGrid, FormatError, Region
 
 ROUNDING = 0.02
-"""Cells that a limit may miss a sample by: limits come with 32 bits."""
+"""Cells that a limit may miss a sample by at the least: limits are written with some decimals only."""
+
+MOST_ROUNDING = 0.5
+"""Cells: a sample further away than that is not the one that was meant."""
+
+SINGLE_BITS = 24
+"""Of a number's digits in Blender's properties, which limits come through."""
 
 LATTICE = 65
 """Places along each side of a box that are looked up on a map in metres, where a box has curved sides."""
@@ -95,19 +101,20 @@ def _region(grid: ElevationGrid, chosen: ChosenRegion) -> Region | None:
 def _region_in_degrees(grid: ElevationGrid, box: LongitudeLatitudeBox) -> Region | None:
     """The samples within the box."""
     place, layout = grid.georeference, grid.layout
-    rows = _between((place.first_y - box.north) / place.step_y, (place.first_y - box.south) / place.step_y)
-    first_row, last_row = max(0, rows[0]), min(layout.rows - 1, rows[1])
+    north, south = _reach(box.north, place.step_y), _reach(box.south, place.step_y)
+    first_row = max(0, math.ceil((place.first_y - box.north) / place.step_y - north))
+    last_row = min(layout.rows - 1, math.floor((place.first_y - box.south) / place.step_y + south))
     if layout.wraps:
         # Columns may run on beyond the last one, which is how a region crosses the seam.
-        west = (box.west - place.first_x) % 360.0 / place.step_x
-        first, last = _between(west, west + box.width / place.step_x)
+        west = (box.west - place.first_x) % 360.0
+        first, last = _columns(west, box, place.step_x)
         count = min(last - first + 1, layout.columns)
         return Region(first % layout.columns, first_row, count, last_row - first_row + 1)
     east_edge = (layout.columns - 1) * place.step_x
     # The turn of longitude in which most of the box is on the map.
     west_edges = [(box.west - place.first_x) % 360.0 - turn for turn in (0.0, 360.0)]
     west_edge = max(west_edges, key=lambda edge: min(edge + box.width, east_edge) - max(edge, 0.0))
-    first, last = _between(west_edge / place.step_x, (west_edge + box.width) / place.step_x)
+    first, last = _columns(west_edge, box, place.step_x)
     first, last = max(0, first), min(layout.columns - 1, last)
     return Region(first, first_row, last - first + 1, last_row - first_row + 1)
 
@@ -137,9 +144,17 @@ def _lattice(box: LongitudeLatitudeBox) -> Iterator[tuple[float, float]]:
             )
 
 
-def _between(low: float, high: float) -> tuple[int, int]:
-    """The first and the last whole number between two others."""
-    return math.ceil(low - ROUNDING), math.floor(high + ROUNDING)
+def _columns(west: float, box: LongitudeLatitudeBox, step: float) -> tuple[int, int]:
+    """The first and the last column within a box that begins ``west`` degrees from column 0."""
+    first = math.ceil(west / step - _reach(box.west, step))
+    return first, math.floor((west + box.width) / step + _reach(box.east, step))
+
+
+def _reach(limit: float, step: float) -> float:
+    """Cells of ``step`` degrees that a limit may miss a sample by: what 32 bits lose, or a little more."""
+    _mantissa, exponent = math.frexp(limit)
+    spacing = math.ldexp(1.0, exponent - SINGLE_BITS)
+    return min(max(ROUNDING, spacing / step), MOST_ROUNDING)
 
 
 def _extent(grid: ElevationGrid) -> str:

@@ -17,7 +17,7 @@ from typing import Any
 import bpy
 
 from ..formats import ElevationGrid
-from ..formats.decoding import Decoding
+from ..formats.decoding_properties import decoding_from, decoding_text
 from ..formats.georeference_properties import finite, georeference_from, georeference_properties, restored
 from ..formats.layout_properties import layout_from, layout_properties
 from ..formats.source_stamp import SourceStamp
@@ -66,8 +66,7 @@ def keep(terrain: bpy.types.Object, kept: KeptTerrain) -> None:
         "notes": "\n".join(grid.notes),
         "layout": layout_properties(grid.layout),
         "georeference": georeference_properties(grid.georeference),
-        # As text: what decoders need to know may be nested, and may have large numbers.
-        **({} if grid.decoding is None else {"decoding": json.dumps(asdict(grid.decoding))}),
+        **({} if grid.decoding is None else {"decoding": decoding_text(grid.decoding)}),
         FRAME: _frame_properties(kept.frame),
         "vertex_budget": kept.vertex_budget,
         "minimum": kept.minimum,
@@ -111,7 +110,7 @@ def keep_frame(terrain: bpy.types.Object, frame: TerrainFrame) -> None:
 def _changes_told(terrain: bpy.types.Object) -> Iterator[None]:
     try:
         yield
-    except (KeyError, TypeError, ValueError, AttributeError, OverflowError) as error:
+    except (KeyError, TypeError, ValueError, AttributeError, OverflowError, RecursionError) as error:
         raise KeptError(
             f"{terrain.name} does not remember its grid any more: its custom property {KEY} was changed "
             f"({type(error).__name__}: {error}). Import the grid again."
@@ -142,7 +141,7 @@ def _recall(terrain: bpy.types.Object, kept: Mapping[str, Any]) -> KeptTerrain:
         title=str(kept["title"]),
         format=str(kept["format"]),
         synthetic=bool(kept["synthetic"]),
-        decoding=None if decoding is None else Decoding(**json.loads(decoding)),
+        decoding=None if decoding is None else decoding_from(decoding),
         notes=tuple(str(kept["notes"]).splitlines()),
     )
     return KeptTerrain(
@@ -152,8 +151,12 @@ def _recall(terrain: bpy.types.Object, kept: Mapping[str, Any]) -> KeptTerrain:
         finite(kept["minimum"]),
         finite(kept["maximum"]),
         filled=bool(kept.get("filled", False)),
-        stamp=None if stamp is None else SourceStamp(**json.loads(stamp)),
+        stamp=None if stamp is None else _stamp(json.loads(stamp)),
     )
+
+
+def _stamp(kept: Mapping[str, Any]) -> SourceStamp:
+    return SourceStamp(int(kept["size"]), int(kept["modified"]), str(kept["digest"]))
 
 
 def _frame(kept: Mapping[str, Any]) -> TerrainFrame:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 from collections.abc import Callable
 from dataclasses import replace
@@ -123,6 +124,7 @@ def test_a_copied_file_is_the_same_file(label: Path) -> None:
 def test_what_a_decoder_needs_is_remembered_whatever_it_is(
     label: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    decode_everything(monkeypatch)
     terrain = import_grid(label)
     keeping, decoding = module("terrain.kept"), module("formats.decoding").Decoding
     kept = keeping.recall(terrain)
@@ -130,6 +132,56 @@ def test_what_a_decoder_needs_is_remembered_whatever_it_is(
     kept = replace(kept, grid=replace(kept.grid, decoding=decoding("test", 2**33, 5, options)), filled=True)
     keeping.keep(terrain, kept)
     assert keeping.recall(terrain) == kept
+
+
+RAW = {
+    "rows": "3",
+    "columns": "4",
+    "sample": "i16",
+    "byte_order": "big",
+    "offset": "0",
+    "pixel_stride": "2",
+    "row_stride": "8",
+    "south_first": False,
+    "wraps": False,
+}
+
+
+@pytest.mark.parametrize(
+    "changed",
+    [
+        {"kind": "evil"},
+        {"kind": ["raw"]},
+        {"kind": "raw"},
+        {"kind": "raw", "options": {"samples": 1}},
+        {"kind": "raw", "options": {"samples": {**RAW, "sample": "u24"}}},
+        {"kind": "raw", "options": {"samples": {**RAW, "rows": "9" * 40}}},
+        {"kind": "geotiff", "options": {"south_up": False}},
+        {"kind": "geotiff", "options": {"south_up": False, "fill": "x"}},
+        {"kind": "usgs_dem", "options": [1]},
+        {"kind": "usgs_dem", "first_column": -1},
+        {"kind": "usgs_dem", "first_row": 2**80},
+        {"kind": "usgs_dem", "first_row": 0.5},
+        {"kind": "usgs_dem", "unheard_of": 1},
+        {},
+        [],
+    ],
+)
+def test_a_decoding_that_was_changed_is_told(label: Path, changed: object) -> None:
+    terrain = import_grid(label)
+    keeping = module("terrain.kept")
+    terrain[keeping.KEY]["decoding"] = json.dumps(changed)
+    with pytest.raises(keeping.KeptError, match="does not remember its grid"):
+        keeping.recall(terrain)
+    with pytest.raises(RuntimeError, match="does not remember its grid"):
+        bpy.ops.haptic_terrain.touch_start()
+
+
+def test_a_whole_decoding_is_recalled(label: Path) -> None:
+    terrain = import_grid(label)
+    keeping = module("terrain.kept")
+    terrain[keeping.KEY]["decoding"] = json.dumps({"kind": "raw", "options": {"samples": RAW}})
+    assert keeping.recall(terrain).grid.decoding.options == {"samples": RAW}
 
 
 def test_cache_files_lie_in_the_extension_s_own_folder() -> None:

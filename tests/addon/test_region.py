@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import bpy
+import numpy as np
 import pytest
 
 from tests.addon.scene import contents, import_grid, module
@@ -70,6 +71,23 @@ def test_a_map_that_spans_longitude_0_takes_boxes_across_it(tmp_path: Path) -> N
     box = {"west": -5.0, "east": 5.0, "south": 0.0, "north": 10.0}
     terrain = import_grid(pair.write(tmp_path), region="DEGREES", **box)
     assert shown(terrain) == part(pair, range(10), range(15, 25))
+
+
+@pytest.mark.parametrize("west", [-123.0, 236.99])
+def test_limits_of_32_bits_reach_the_samples_of_a_fine_grid(
+    pair: MegdrPair, tmp_path: Path, west: float
+) -> None:
+    """1/3 arc-second at 123 W, where 32 bits hold a twelfth of a cell."""
+    cut = module("terrain.chosen_region")
+    grid, step = module("formats").read_grid(pair.write(tmp_path)), 1.0 / 10_800.0
+    place = replace(grid.georeference, first_x=west, first_y=38.3, step_x=step, step_y=step)
+    fine = replace(grid, georeference=place)
+    for first in range(COLUMNS - 2):
+        limits = [place.x(first), place.x(first + 2), place.y(first % 18 + 2), place.y(first % 18)]
+        box = cut.LongitudeLatitudeBox(*(float(np.float32(limit)) for limit in limits))
+        region = cut.cut_grid(fine, box)
+        assert (region.layout.columns, region.layout.rows) == (3, 3)
+        assert region.georeference.x(0) == pytest.approx(limits[0], abs=step / 10.0)
 
 
 def test_all_around_a_planet_is_the_planet(tmp_path: Path) -> None:

@@ -25,12 +25,15 @@ import rasterio
 ROOT = Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT), str(ROOT / "blender_scripts")]
 
-from addon.formats import read_grid  # noqa: E402
+from addon.formats import Georeference, read_grid  # noqa: E402
 from tests.bench.fuzzing import fuzz_all  # noqa: E402
 from tests.bench.preview_import import import_seconds  # noqa: E402
 
 SIDE = 2000
 """Samples along a side of the written grids."""
+
+MOST_APART = 1e-6
+"""Cells between the places that two readers give one sample."""
 
 Numbers = npt.NDArray[np.float64]
 
@@ -130,11 +133,41 @@ def _check_agreement(path: Path) -> None:
         precision = np.finfo(np.float32).eps if file.dtypes[0] == "float32" else 0.0
         theirs = file.read(1, masked=True).astype(np.float64).filled(np.nan)
         row, column = file.index(place.first_x, place.first_y)
+        check_place(
+            path, place, (columns, rows), file.xy(row, column), file.xy(row + rows - 1, column + columns - 1)
+        )
     # GDAL gives a USGS DEM the rows between its corners, also where no profile reaches.
     common = theirs[row : row + rows, column : column + columns]
     same_heights = np.allclose(ours, common, rtol=precision, atol=0.0, equal_nan=True)
     if not same_heights or np.isfinite(theirs).sum() != np.isfinite(common).sum():
         raise SystemExit(f"{path.name}: the two readers give different heights; nothing was measured")
+
+
+def check_place(
+    path: Path,
+    place: Georeference,
+    size: tuple[int, int],
+    first: tuple[float, float],
+    last: tuple[float, float],
+) -> None:
+    """Compare where the outer samples lie; rows and columns alone would hide a shift of half a cell.
+
+    Args:
+        path: of the file.
+        place: where it lies for us.
+        size: columns and rows.
+        first: x and y of the north-west sample for GDAL.
+        last: x and y of the south-east sample for GDAL.
+
+    Raises:
+        SystemExit: they lie elsewhere.
+    """
+    columns, rows = size
+    step = np.array([place.step_x, place.step_y])
+    ours = np.array([[place.first_x, place.first_y], [place.x(columns - 1), place.y(rows - 1)]])
+    apart = np.abs(ours - np.array([first, last], dtype=np.float64)) / step
+    if not apart.max() <= MOST_APART:
+        raise SystemExit(f"{path.name}: {apart.max():g} cells between the two readers; nothing was measured")
 
 
 def _alone(label: Path, rounds: int) -> dict[str, float | str]:

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from addon.formats import FormatError
+from addon.formats import FormatError, source_stamp
 from addon.formats.source_stamp import SourceStamp
 
 
@@ -34,6 +34,28 @@ def test_another_content_of_the_same_length_is_refused(tmp_path: Path, place: in
     path = written(tmp_path, bytes(data))
     os.utime(path, ns=(1, 1))
     with pytest.raises(FormatError, match=r"5,000 bytes.*import the grid again"):
+        stamp.check(path)
+
+
+def test_a_change_anywhere_in_a_large_file_is_seen(tmp_path: Path) -> None:
+    data = bytearray(2_073_600)
+    stamp = SourceStamp.of(written(tmp_path, bytes(data)))
+    data[40_000:64_000] = bytes(range(1, 241)) * 100
+    path = written(tmp_path, bytes(data))
+    os.utime(path, ns=(1, 1))
+    with pytest.raises(FormatError, match=r"another content.*import the grid again"):
+        stamp.check(path)
+
+
+def test_a_file_too_long_to_compare_is_known_by_its_time_only(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(source_stamp, "MOST_HASHED", 99)
+    path = written(tmp_path, bytes(100))
+    stamp = SourceStamp.of(path)
+    stamp.check(path)
+    os.utime(path, ns=(1, 1))
+    with pytest.raises(FormatError, match=r"another time of change.*too long to compare: import the grid"):
         stamp.check(path)
 
 
