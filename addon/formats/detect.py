@@ -64,6 +64,10 @@ LABEL_BEGINS_WITHIN = 4096
 """Bytes before PDS_VERSION_ID: other keywords, comments, or the marks of an SFDU."""
 
 
+PACKING_FIELDS = frozenset(("Compression", "Predictor", "SampleFormat", "BitsPerSample"))
+"""Of a TIFF: what is refused by these may be read by a library with more decoders."""
+
+
 @dataclass(frozen=True)
 class Sniffed:
     """A file that was chosen, and how it begins."""
@@ -205,9 +209,19 @@ def _is_named_label(file: Sniffed) -> bool:
     return file.path.suffix.lower() == LABEL_SUFFIX and kind_of_file(file.head) is None
 
 
+def _read_tiff(path: Path) -> ElevationGrid:
+    """What is packed in a way that is not read here may be known to rasterio."""
+    try:
+        return read_geotiff(path)
+    except FormatError as error:
+        if error.field not in PACKING_FIELDS or rasterio_fallback.rasterio_module() is None:
+            raise
+        return rasterio_fallback.read_through_rasterio(path)
+
+
 FAMILIES = (
     # What a file begins with.
-    Family("GeoTIFF", lambda file: looks_like_tiff(file.head), lambda file: read_geotiff(file.path)),
+    Family("GeoTIFF", lambda file: looks_like_tiff(file.head), lambda file: _read_tiff(file.path)),
     Family("PDS4", _is_pds4, lambda file: read_pds4(file.path)),
     Family("PDS3", _is_pds3, lambda file: read_pds3(file.path)),
     Family("ENVI", _is_envi_header, lambda file: read_envi(file.path)),

@@ -50,13 +50,13 @@ class Georeference:
 
     def spans_the_globe(self, columns: int) -> bool:
         """Whether so many columns go once around: the map then has neither an east nor a west edge."""
-        return self.projection.in_degrees and math.isclose(columns * self.step_x, 360.0, rel_tol=1e-9)
+        turn = self.projection.turn(self.ellipsoid)
+        return turn is not None and math.isclose(columns * self.step_x, turn, rel_tol=1e-9)
 
     def closed(self, columns: int) -> Georeference:
         """The same, gone exactly once around where so many columns do, but for digits that a header lacks."""
-        if not self.projection.in_degrees:
-            return self
-        return replace(self, step_x=step_once_around(self.step_x, columns))
+        turn = self.projection.turn(self.ellipsoid)
+        return self if turn is None else replace(self, step_x=step_once_around(self.step_x, columns, turn))
 
     def cell_size(self, rows: int, columns: int) -> tuple[float, float]:
         """Metres between neighbouring columns and between neighbouring rows.
@@ -113,9 +113,9 @@ class Georeference:
         return replace(self, first_x=self.x(region.first_column), first_y=self.y(region.first_row))
 
 
-def step_once_around(step: float, columns: int) -> float:
-    """The step of 360 degrees in so many columns, where the stated one misses that by less than half a step.
+def step_once_around(step: float, columns: int, turn: float = 360.0) -> float:
+    """The step of a whole turn in so many columns, where the stated one misses that by less than half a step.
 
     A twelfth of a degree, as 0.0833333, leaves a gap at the seam that no header means.
     """
-    return 360.0 / columns if abs(columns * step - 360.0) < step / 2.0 else step
+    return turn / columns if abs(columns * step - turn) < step / 2.0 else step

@@ -10,7 +10,7 @@ import pytest
 from addon.formats import read_grid
 from addon.formats.body.ellipsoid import Ellipsoid
 from addon.formats.georeference import Georeference, step_once_around
-from addon.formats.projections import Unknown
+from addon.formats.projections import Equirectangular, Mercator, Projection, Unknown
 from tests.formats.raw_grids import EhdrPair, EnviPair, GridFloatPair
 from tests.formats.tiff_file import DOUBLE, TiffFile
 
@@ -79,3 +79,23 @@ def test_steps_in_metres_stay() -> None:
     sphere = Ellipsoid.sphere(1e6)
     place = Georeference("", sphere, Unknown(), 0.0, 0.0, 0.9999, 1.0, "")
     assert place.closed(360) == place
+
+
+@pytest.mark.parametrize("projection", [Mercator(), Equirectangular(standard_parallel_1=30.0)])
+def test_a_map_in_metres_that_goes_once_around_has_no_edge_either(projection: Projection) -> None:
+    body = Ellipsoid.sphere(3_396_190.0)
+    turn = projection.turn(body)
+    assert turn is not None
+    place = Georeference(
+        body="Mars",
+        ellipsoid=body,
+        projection=projection,
+        first_x=-turn / 2.0,
+        first_y=0.0,
+        step_x=round(turn / 720.0, 2),
+        step_y=1000.0,
+        vertical_reference="sphere",
+    )
+    assert place.closed(720).spans_the_globe(720)
+    assert place.closed(700).step_x == place.step_x
+    assert not place.closed(700).spans_the_globe(700)

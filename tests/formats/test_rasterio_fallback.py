@@ -15,6 +15,7 @@ from addon.formats import FormatError, Region, read_grid
 from addon.formats.through_rasterio import rasterio_library
 from tests.formats.megdr_pair import rough
 from tests.formats.reading import complaint, heights
+from tests.formats.tiff_file import SHORT, TiffFile
 
 HFA = b"EHFA_HEADER_TAG\0rest"
 
@@ -249,3 +250,19 @@ def test_pictures_are_not_tried(tmp_path: Path, monkeypatch: pytest.MonkeyPatch)
     ):
         (tmp_path / name).write_bytes(content)
         assert "content" in complaint(tmp_path / name)
+
+
+def test_a_tiff_that_is_packed_in_another_way_is_left_to_rasterio(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "zstd.tif").write_bytes(TiffFile(rough(5, 8), tags={259: (SHORT, [50000])}).data())
+    use(monkeypatch, None)
+    assert "Compression" in complaint(tmp_path / "zstd.tif")
+    use(monkeypatch, StandIn())
+    assert "rasterio" in read_grid(tmp_path / "zstd.tif").format
+
+
+def test_a_tiff_that_is_damaged_is_not(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    (tmp_path / "cut.tif").write_bytes(TiffFile(rough(5, 8)).data()[:100])
+    use(monkeypatch, StandIn())
+    assert "rasterio" not in complaint(tmp_path / "cut.tif").replace("with rasterio", "")
