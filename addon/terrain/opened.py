@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 from proxygraph import Grid, Progress
 
+from .filling import filled
 from .kept import KeptTerrain
 
 MOST_BYTES = 1 << 30
@@ -38,7 +39,7 @@ class OpenedGrids:
         if grid is None:
             grid = kept.grid.open(progress)
             if kept.filled:
-                grid = grid.filled(progress)
+                grid = filled(kept.grid, grid, progress)
             self.add(kept, grid)
         else:
             self._grids.move_to_end(key)

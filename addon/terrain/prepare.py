@@ -11,12 +11,15 @@ from proxygraph import Grid
 
 from ..formats import ElevationGrid, FormatError, HgtPosition, read_grid
 from ..formats.source_stamp import SourceStamp
+from .byte_size import in_bytes
 from .chosen_region import cut_grid
+from .filling import copy_bytes, filled, working_bytes
 from .frame import TerrainFrame, fitting_scale, rounded_exaggeration, terrain_frame
 from .kept import KeptTerrain
 from .options import ImportOptions, SceneScale
 from .preview import PreviewSurface, preview_cells, preview_surface, with_filled
 from .slope import slopes
+from .whole import refuse_damaged
 from .work import Work
 
 
@@ -46,17 +49,17 @@ def prepare(path: Path, options: ImportOptions, work: Work) -> Prepared:
     """Read, decode, fill, measure and choose what is shown.
 
     Raises:
-        FormatError: the file cannot be used.
+        FormatError: the file cannot be used, or was cut while it was read.
         CancelledError: the work was asked to end.
     """
     work.begin("Reading the header", until=0.05)
     grid = read_header(path.absolute(), options)
     stamp = _stamp(grid)
     raw = grid.open(work.begin("Decoding" if grid.decoding else "Opening", until=0.5))
-    filled = options.fill_voids
-    samples = raw.filled(work.begin("Filling voids", until=0.7)) if filled else raw
+    samples = filled(grid, raw, work.begin(_filling(grid), until=0.7)) if options.fill_voids else raw
     work.begin("Measuring", until=0.8)
     extent = samples.range()
+    refuse_damaged(grid, raw)
     if extent is None:
         raise FormatError(
             grid.data_path,
@@ -69,12 +72,26 @@ def prepare(path: Path, options: ImportOptions, work: Work) -> Prepared:
     work.begin("Choosing what to show", until=1.0)
     frame = _frame(grid, extent.minimum, extent.maximum, options)
     surface = preview_surface(samples, preview_cells(grid.layout, options.vertex_budget))
-    if filled:
+    if options.fill_voids:
         surface = with_filled(surface, raw)
     kept = KeptTerrain(
-        grid, frame, options.vertex_budget, extent.minimum, extent.maximum, filled=filled, stamp=stamp
+        grid,
+        frame,
+        options.vertex_budget,
+        extent.minimum,
+        extent.maximum,
+        filled=options.fill_voids,
+        stamp=stamp,
     )
-    return Prepared(kept, samples, surface, slopes(samples, surface))
+    steepness = slopes(samples, surface)
+    refuse_damaged(grid, raw)
+    return Prepared(kept, samples, surface, steepness)
+
+
+def _filling(grid: ElevationGrid) -> str:
+    """The step in words: it may take much more memory than anything else."""
+    meanwhile = copy_bytes(grid.layout) + working_bytes(grid.layout)
+    return f"Filling voids in a copy, {in_bytes(meanwhile)} meanwhile"
 
 
 def _stamp(grid: ElevationGrid) -> SourceStamp | None:

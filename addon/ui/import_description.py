@@ -9,10 +9,13 @@ from pathlib import Path
 from ..formats import SUFFIXES, ElevationGrid, FormatError
 from ..formats.cache import cache
 from ..formats.partner_file import is_file
+from ..terrain.byte_size import in_bytes
 from ..terrain.chosen_region import ChosenRegion
+from ..terrain.filling import copy_bytes, working_bytes
 from ..terrain.options import ImportOptions
 from ..terrain.prepare import read_header
 from ..terrain.preview import preview_cells
+from ..terrain.whole import refuse_damaged
 from .wrapped import wrapped
 
 DIALOG_LETTERS = 48
@@ -50,6 +53,7 @@ def described(path: Path, options: ImportOptions) -> list[str]:
         f"Cells of {in_metres(layout.cell_width)} x {in_metres(layout.cell_height)} m",
         *_extremes_lines(found),
         f"Memory: {memory(grid)}",
+        *([f"Filling: {filling_memory(grid)}"] if options.fill_voids else []),
         f"{shown.vertices:,} vertices to see{'' if all_shown else ' at the most'}",
     ]
     return lines + [line for note in grid.notes for line in wrapped(note, DIALOG_LETTERS)]
@@ -67,7 +71,7 @@ def is_unplaced(path: Path, options: ImportOptions) -> bool:
 
 
 def memory(grid: ElevationGrid) -> str:
-    """What touch needs for the samples."""
+    """What the samples need as they are opened."""
     if grid.decoding is None:
         return "in place, nothing copied"
     size = grid.layout.byte_length
@@ -75,12 +79,10 @@ def memory(grid: ElevationGrid) -> str:
     return f"{in_bytes(size)} {where}"
 
 
-def in_bytes(size: int) -> str:
-    """A size for people."""
-    for unit, bytes_ in (("GB", 10**9), ("MB", 10**6), ("kB", 10**3)):
-        if size >= bytes_:
-            return f"{size / bytes_:,.1f} {unit}"
-    return f"{size} bytes"
+def filling_memory(grid: ElevationGrid) -> str:
+    """What filling voids needs besides: a copy that is touched, and more until that is made."""
+    copy, working = copy_bytes(grid.layout), working_bytes(grid.layout)
+    return f"a copy of {in_bytes(copy)}, {in_bytes(working)} meanwhile"
 
 
 def in_metres(length: float) -> str:
@@ -146,7 +148,9 @@ def _cached_extremes(
     if isinstance(grid, FormatError):
         return grid
     try:
-        found = grid.open().range()
+        samples = grid.open()
+        found = samples.range()
+        refuse_damaged(grid, samples)
     except FormatError as error:
         return error
     return None if found is None else Extremes(found.minimum, found.maximum, found.voids)

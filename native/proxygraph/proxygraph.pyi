@@ -504,7 +504,7 @@ class Grid:
 
         Raises:
             CancelledError: ``progress`` was asked to end.
-            DecodeError: there is not enough memory.
+            DecodeError: there is not enough memory, or the mapped file was cut.
         """
 
 @final

@@ -177,6 +177,12 @@ def test_the_import_dialog_says_what_the_file_is(label: Path) -> None:
     assert f"Cells of {cell:,.0f} x " in text
 
 
+def test_the_import_dialog_says_what_filling_needs(label: Path) -> None:
+    assert not any(line.startswith("Filling") for line in of_chosen(label).labels)
+    filling = "Filling: a copy of 4.8 kB, 28.8 kB meanwhile"  # 2,400 samples of 2 bytes, and 12 bytes each
+    assert filling in of_chosen(label, fill_voids=True).labels
+
+
 def test_the_import_dialog_counts_voids_and_the_chosen_region(tmp_path: Path) -> None:
     heights = rough(40, 60)
     heights[1][1] = heights[30][30] = -32768

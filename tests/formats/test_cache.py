@@ -206,6 +206,24 @@ def test_a_full_disk_is_not_blamed_on_the_data(tmp_path: Path, monkeypatch: pyte
         decoded(tmp_path).open()
 
 
+@pytest.mark.skipif(sys.platform != "linux", reason="files are limited as Linux allows it")
+@pytest.mark.usefixtures("small")
+def test_room_that_the_system_refuses_a_native_decoder_is_told_with_the_folder(tmp_path: Path) -> None:
+    import resource
+
+    grid = read_grid(esri_ascii(tmp_path))
+    soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (10, hard))
+    try:
+        with pytest.raises(FormatError) as refused:
+            grid.open()
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
+    assert "cache: found the cache folder" in str(refused.value)
+    assert "(File too large)" in str(refused.value)
+    assert not list(cache.folder.iterdir())
+
+
 def esri_ascii(folder: Path) -> Path:
     path = folder / "grid.asc"
     path.write_text("ncols 3\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 30\n1 2 3\n4 5 6.5\n")

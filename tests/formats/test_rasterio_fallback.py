@@ -10,9 +10,12 @@ from typing import Any
 
 import numpy as np
 import pytest
+from proxygraph import CancelledError, Progress
 
 from addon.formats import FormatError, Region, read_grid
+from addon.formats.cache import SUFFIX, cache
 from addon.formats.through_rasterio import rasterio_library
+from addon.formats.unfinished import unfinished_file
 from tests.formats.megdr_pair import rough
 from tests.formats.reading import complaint, heights
 from tests.formats.tiff_file import SHORT, TiffFile
@@ -97,6 +100,58 @@ def test_the_first_band_is_decoded(file: Path, monkeypatch: pytest.MonkeyPatch, 
     assert heights(grid) == values.astype(float).tolist()
     assert "rasterio" in grid.format
     assert "rasterio" in " ".join(grid.notes)
+
+
+@pytest.fixture
+def cache_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """Of a cache that takes everything into files."""
+    monkeypatch.setattr(cache, "folder", tmp_path / "cache")
+    monkeypatch.setattr(cache, "most_in_memory", 0)
+    return cache.folder
+
+
+def test_a_large_grid_goes_to_a_cache_file_and_is_read_once(
+    file: Path, monkeypatch: pytest.MonkeyPatch, cache_folder: Path
+) -> None:
+    values = np.arange(600 * 4, dtype=np.int16).reshape(600, 4)
+    use(monkeypatch, StandIn(values=values))
+    grid = read_grid(file)
+    assert heights(grid) == values.astype(float).tolist()
+    (only,) = cache_folder.iterdir()
+    assert only.suffix == SUFFIX
+    assert only.read_bytes() == values.astype("<i2").tobytes()
+    use(monkeypatch, None)
+    assert heights(grid) == values.astype(float).tolist()
+
+
+def test_a_decoding_that_is_cancelled_or_fails_leaves_no_cache_file(
+    file: Path, monkeypatch: pytest.MonkeyPatch, cache_folder: Path
+) -> None:
+    source = StandIn()
+    use(monkeypatch, source)
+    grid = read_grid(file)
+    progress = Progress()
+    progress.cancel()
+    with pytest.raises(CancelledError):
+        grid.open(progress)
+    assert not list(cache_folder.iterdir())
+
+    def unreadable(*_: object, **__: object) -> Any:
+        raise rasterio_library.rasterio_module().errors.RasterioError("IReadBlock failed")
+
+    monkeypatch.setattr(source, "read", unreadable)
+    with pytest.raises(FormatError, match="IReadBlock failed"):
+        grid.open()
+    assert not list(cache_folder.iterdir())
+
+
+def test_two_decodings_at_once_do_not_write_into_each_other(tmp_path: Path) -> None:
+    place = tmp_path / "grid.samples"
+    with unfinished_file(place) as first, unfinished_file(place) as second:
+        second.write(b"second")
+        first.write(b"first")
+    assert place.read_bytes() == b"first", "the last one that ends gives the file"
+    assert list(tmp_path.iterdir()) == [place]
 
 
 def test_regions_are_read_alone_also_across_the_seam(file: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -1,15 +1,17 @@
-"""The first band of a raster, brought into memory through rasterio."""
+"""The first band of a raster, brought through rasterio into memory, or into a cache file."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 from proxygraph import Grid, GridLayout, Progress
 
+from ..cache import cache_file
 from ..decoding import Decoding
 from ..refusal import first_line
-from ..region import SAMPLE_BYTES
+from ..unfinished import unfinished_file
 from .rasterio_library import SAMPLES, open_raster, rasterio_module
 
 ROWS_AT_ONCE = 256
@@ -22,20 +24,36 @@ def decode_through_rasterio(
     rasterio = rasterio_module()
     if rasterio is None:
         raise OSError("rasterio, which read this file before, is not installed any more")
-    samples = bytearray(layout.samples * SAMPLE_BYTES[layout.sample])
-    row_bytes = layout.columns * SAMPLE_BYTES[layout.sample]
+    rows = _rows(rasterio, path, layout, decoding, progress)
+    place = cache_file(path, layout, decoding)
+    if place is None:
+        samples = bytearray()
+        for block in rows:
+            samples += block  # joined, they would be there twice
+        return Grid.from_buffer(samples, layout)
+    with unfinished_file(place) as file:
+        file.writelines(rows)
+    return Grid.open(place, layout)
+
+
+def _rows(
+    rasterio: Any, path: Path, layout: GridLayout, decoding: Decoding, progress: Progress | None
+) -> Iterator[bytes]:
+    """The bytes of the region, some rows at a time.
+
+    Raises:
+        OSError: in the words of rasterio.
+    """
     try:
         with open_raster(rasterio, path) as source:
             _, asked = SAMPLES[str(source.dtypes[0])]
             for row in range(0, layout.rows, ROWS_AT_ONCE):
                 rows = min(ROWS_AT_ONCE, layout.rows - row)
-                block = b"".join(_columns(source, asked, decoding, row, rows, layout.columns))
-                samples[row * row_bytes : (row + rows) * row_bytes] = block
+                yield b"".join(_columns(source, asked, decoding, row, rows, layout.columns))
                 if progress is not None:
                     progress.step(row + rows, layout.rows)
     except rasterio.errors.RasterioError as error:
         raise OSError(first_line(error)) from error
-    return Grid.from_buffer(samples, layout)
 
 
 def _columns(source: Any, asked: str, decoding: Decoding, row: int, rows: int, columns: int) -> list[bytes]:

@@ -53,7 +53,7 @@ MAGIC_BYTES = 1024
 """In which one of them is found, behind blanks."""
 
 MOST_BYTES = 4 << 30
-"""Of samples that are brought into memory; a small packed file may stand for more than any machine has."""
+"""Of samples that are decoded; a small packed file may stand for more than any machine has."""
 
 
 LEAST_UNIT = 1e-9

@@ -21,7 +21,8 @@ const ROUNDS: u32 = 8;
 
 /// Makes a grid whose voids are filled, in the same sample type; known samples keep their very bits.
 ///
-/// A grid without any height stays as it is. The same grid always gives the same heights.
+/// A grid without any height stays as it is. The same grid always gives the same heights. A mapped file that
+/// is cut meanwhile is refused: its lost samples read as zeros, and those are no heights.
 pub fn fill(grid: &Grid, progress: &Progress) -> Result<Grid, DecodeError> {
     let layout = packed(grid.layout())?;
     let mut target = Target::memory(layout)?;
@@ -29,6 +30,8 @@ pub fn fill(grid: &Grid, progress: &Progress) -> Result<Grid, DecodeError> {
         grid.copy_row(row, target.row(row));
     }
     let mut finest = Level::of(grid, progress)?;
+    // Nothing is read from the grid after this.
+    refuse_cut(grid)?;
     let holes = Holes::of(&finest)?;
     if !holes.are_there() || !finest.has_heights() {
         progress.step(1, 1)?;
@@ -45,6 +48,16 @@ pub fn fill(grid: &Grid, progress: &Progress) -> Result<Grid, DecodeError> {
     });
     progress.step(1, 1)?;
     target.finish()
+}
+
+/// Fails where the grid's file was cut while it was read.
+fn refuse_cut(grid: &Grid) -> Result<(), DecodeError> {
+    grid.look_at_file();
+    if grid.damaged() {
+        let expected = "a file that stays whole while it is read";
+        return Err(DecodeError::wrong("samples", "a file that was cut meanwhile", expected));
+    }
+    Ok(())
 }
 
 /// Works the heights of the holes out, from the coarsest grid to the finest.
@@ -92,4 +105,25 @@ fn sample_of(layout: &GridLayout, height: f64, rim: (f64, f64)) -> f64 {
     }
     // A sample of the rim is not.
     if is_whole { a.round() } else { a }
+}
+
+#[cfg(all(test, target_os = "linux"))]
+mod tests {
+    use super::*;
+    use std::fs::{self, OpenOptions};
+    use surface::ByteOrder;
+
+    #[test]
+    fn a_file_that_was_cut_is_refused_and_not_filled_with_zeros() {
+        let path = std::env::temp_dir().join(format!("fill-cut-{}", std::process::id()));
+        fs::write(&path, vec![1; 1 << 16]).unwrap();
+        let layout =
+            GridLayout::packed(128, 256, 1.0, 1.0, SampleType::I16, ByteOrder::Little).unwrap();
+        let grid = Grid::open(&path, layout).unwrap();
+        assert!(fill(&grid, &Progress::new()).is_ok());
+        OpenOptions::new().write(true).open(&path).unwrap().set_len(1 << 14).unwrap();
+        let refused = fill(&grid, &Progress::new());
+        fs::remove_file(&path).unwrap();
+        assert!(matches!(refused, Err(DecodeError::Wrong { .. })));
+    }
 }
