@@ -203,7 +203,7 @@ def test_a_tie_point_within_the_raster_is_taken_back_to_its_corner(tmp_path: Pat
         ([-0.5, 0, 0, 10, 0, -0.25, 0, 20, *[0] * 7, 1], "columns that run west"),
         ([0, 0, 0, 10, 0, 0, 0, 20, *[0] * 7, 1], "steps of 0"),
         ([math.nan, 0, 0, 10, 0, -0.25, 0, 20, *[0] * 7, 1], "nan"),
-        ([1e300, 0, 0, 10, 0, -1e300, 0, 20, *[0] * 7, 1], "latitudes"),
+        ([1e300, 0, 0, 10, 0, -1e300, 0, 20, *[0] * 7, 1], "5e+299"),
         ([0.5] * 3, "3 numbers"),
     ],
 )
@@ -520,6 +520,66 @@ def test_a_world_file_beside_it_is_honoured(tmp_path: Path, name: str) -> None:
     (tmp_path / name).write_text("30.0\r\n0.0\r\n0.0\r\n-20.0\r\n500015.0\r\n4999990.0\r\n", newline="")
     place = read_geotiff(file.write(tmp_path)).georeference
     assert (place.first_x, place.first_y, place.step_x, place.step_y) == (500_015, 4_999_990, 30, 20)
+
+
+DEGREES_ALONE: dict[int, Any] = {
+    33550: (DOUBLE, [0.000833333, 0.000833333, 0.0]),
+    33922: (DOUBLE, [0.0, 0.0, 0.0, 7.0, 47.0, 0.0]),
+}
+
+
+@pytest.mark.parametrize("keys", [{}, {1025: 1}])
+@pytest.mark.parametrize("from_world_file", [True, False])
+def test_degrees_without_a_coordinate_system_are_assumed_and_a_note_says_so(
+    tmp_path: Path, from_world_file: bool, keys: dict[int, Any]
+) -> None:
+    tags = {33550: None, 33922: None} if from_world_file else DEGREES_ALONE
+    if from_world_file:
+        (tmp_path / "grid.tfw").write_text("0.000833333\n0\n0\n-0.000833333\n7.0\n47.0\n")
+    grid = read_geotiff(TiffFile(rough(4, 5), keys=keys, tags=tags).write(tmp_path))
+    assert grid.layout.cell_height == pytest.approx(92.6, abs=0.1)
+    assert grid.georeference.body == "Earth"
+    place = grid.georeference.longitude_latitude(0.0, 0.0)
+    assert place == pytest.approx((7.0, 47.0), abs=0.0005)
+    assert any("WGS 84 are assumed" in note for note in grid.notes)
+
+
+def test_metres_without_a_coordinate_system_are_assumed_and_a_note_says_so(tmp_path: Path) -> None:
+    tags = {**DEGREES_ALONE, 33550: (DOUBLE, [30.0, 30.0, 0.0]), 33922: (DOUBLE, [0, 0, 0, 5e5, 5e6, 0])}
+    grid = read_geotiff(TiffFile(rough(4, 5), keys={}, tags=tags).write(tmp_path))
+    assert grid.layout.cell_height == 30.0
+    assert grid.georeference.longitude_latitude(0.0, 0.0) is None
+    assert any("metres of an unknown map" in note for note in grid.notes)
+
+
+def test_a_prj_file_beside_a_raster_without_keys_is_followed(tmp_path: Path) -> None:
+    (tmp_path / "grid.prj").write_text(
+        'PROJCS["here",GEOGCS["x",DATUM["x",SPHEROID["WGS_1984",6378137.0,298.257223563]],'
+        'PRIMEM["Greenwich",0.0],UNIT["Degree",0.0174532925199433]],PROJECTION["Transverse_Mercator"],'
+        'PARAMETER["Central_Meridian",9.0],UNIT["Foot",0.3048]]'
+    )
+    tags = {**DEGREES_ALONE, 33550: (DOUBLE, [30.0, 30.0, 0.0]), 33922: (DOUBLE, [0, 0, 0, -15, 15, 0])}
+    grid = read_geotiff(TiffFile(rough(4, 5), keys={}, tags=tags).write(tmp_path))
+    assert grid.layout.cell_width == pytest.approx(30.0 * 0.3048)
+    assert grid.georeference.longitude_latitude(0.0, 0.0) == pytest.approx((9.0, 0.0), abs=1e-9)
+    assert grid.georeference.frame == "here"
+
+
+def test_the_keys_are_believed_before_a_prj_file(tmp_path: Path) -> None:
+    (tmp_path / "grid.prj").write_text("Projection UTM\nZone 10\nDatum NAD27\nUnits METERS\n")
+    assert read_geotiff(TiffFile(rough(4, 5)).write(tmp_path)).georeference.frame == "WGS 84"
+
+
+@pytest.mark.parametrize(
+    ("scale", "corner"),
+    [(30.0, 1e300), (1e-20, 5e5), (1e300, 0.0), (30.0, -2e10)],
+)
+def test_metres_that_are_on_no_planet_or_lost_in_rounding_are_refused(
+    tmp_path: Path, scale: float, corner: float
+) -> None:
+    tags = {33550: (DOUBLE, [scale, scale, 0.0]), 33922: (DOUBLE, [0, 0, 0, corner, 5e6, 0])}
+    file = TiffFile(rough(4, 5), keys={1024: 1, 1025: 1, 3072: 32632}, tags=tags)
+    assert refused(file.write(tmp_path)).field == "place of the grid"
 
 
 def test_the_file_itself_is_believed_before_a_world_file(tmp_path: Path) -> None:

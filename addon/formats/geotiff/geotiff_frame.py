@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import math
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from ..body.ellipsoid import Ellipsoid
+from ..frames.map_frame import MapFrame
 from ..projections import Geographic, Projection, Unknown
 from .geokeys import UNDEFINED, USER_DEFINED, GeoKeys, Key, geo_keys
 from .geokeys_codes import (
@@ -72,6 +73,27 @@ class Frame:
     citation: str
     """All texts of the keys together."""
     notes: tuple[str, ...]
+    is_stated: bool = True
+    """Whether the keys say what the map's coordinates are."""
+
+    def taken_from(self, beside: MapFrame) -> Frame:
+        """The frame of a map that is told beside the file; what the keys do say stays."""
+        told = replace(
+            self,
+            body=self.body or beside.body,
+            ellipsoid=beside.ellipsoid,
+            projection=beside.projection,
+            metres_or_degrees=beside.unit,
+            prime_meridian=beside.shift_x,
+            name=self.name or beside.frame,
+            notes=(*self.notes, *beside.notes),
+            is_stated=True,
+        )
+        if beside.vertical_unit == 1.0:
+            return told
+        return replace(
+            told, vertical_unit=f"{beside.vertical_unit:g} m", vertical_metres=beside.vertical_unit
+        )
 
 
 @dataclass(frozen=True)
@@ -81,6 +103,7 @@ class _Horizontal:
     unit: float
     prime_meridian: float
     name: str
+    is_stated: bool = True
 
 
 def frame_of(tags: Tags) -> Frame:
@@ -96,7 +119,7 @@ def frame_of(tags: Tags) -> Frame:
     horizontal = _horizontal(keys, notes)
     vertical, unit, metres = _vertical(keys, notes)
     return Frame(
-        body=_body(citation, horizontal.ellipsoid) if keys.values else "",
+        body=_body(citation, horizontal.ellipsoid if horizontal.is_stated else None),
         ellipsoid=horizontal.ellipsoid,
         projection=horizontal.projection,
         metres_or_degrees=horizontal.unit,
@@ -108,6 +131,7 @@ def frame_of(tags: Tags) -> Frame:
         name=horizontal.name or citation,
         citation=citation,
         notes=tuple(notes),
+        is_stated=horizontal.is_stated,
     )
 
 
@@ -124,9 +148,7 @@ def _horizontal(keys: GeoKeys, notes: list[str]) -> _Horizontal:
         return _geographic(keys, notes)
     if model == PROJECTED or keys.code(Key.ProjectedCRS) != UNDEFINED:
         return _projected(keys, notes)
-    if keys.values:
-        notes.append("The file does not say what its coordinates are: metres are assumed.")
-    return _Horizontal(Unknown(), WGS_84, 1.0, 0.0, "")
+    return _Horizontal(Unknown(), WGS_84, 1.0, 0.0, "", is_stated=False)
 
 
 def _geographic(keys: GeoKeys, notes: list[str]) -> _Horizontal:
@@ -219,12 +241,14 @@ def _stated_ellipsoid(keys: GeoKeys) -> Ellipsoid | None:
     return ellipsoid
 
 
-def _body(citation: str, ellipsoid: Ellipsoid) -> str:
-    """Find the body by its name, else by its size."""
+def _body(citation: str, ellipsoid: Ellipsoid | None) -> str:
+    """Find the body by its name, else by its size where one is stated."""
     words = re.split(r"[^a-z]+", citation.lower())
     named = next((body for body in BODIES if body.lower() in words), None)
+    if named is not None or ellipsoid is None:
+        return named or ""
     by_size = (body for body, (least, most) in RADII.items() if least <= ellipsoid.semi_major <= most)
-    return named or next(by_size, "")
+    return next(by_size, "")
 
 
 def _degrees(keys: GeoKeys) -> float:

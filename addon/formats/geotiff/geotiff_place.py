@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from ..frames.map_frame import frame_beside
 from ..georeference import Registration
 from ..partner_file import file_in_any_case
 from .geotiff_frame import Frame
@@ -50,53 +51,40 @@ class _Affine:
     notes: tuple[str, ...] = ()
 
 
-def place_of(tags: Tags, frame: Frame) -> Place:
+def place_of(tags: Tags, frame: Frame) -> tuple[Frame, Place]:
     """Read the place from the tags, else from a world file, else make one up.
+
+    With it comes the frame that its numbers are meant in: that of the keys; where these state none, that of
+    a ``.prj`` file beside the raster, else the one that the numbers may be of.
 
     Raises:
         DecodeError: a tag cannot be read.
     """
     affine = _from_transformation(tags) or _from_tiepoint(tags) or _from_world_file(tags)
     if affine is None:
-        return _made_up()
+        return frame, _made_up()
     points = frame.is_points
     half = 0.0 if points or affine.of_centres else 0.5
-    unit = frame.metres_or_degrees
-    first_x = (affine.x0 + half * affine.dx) * unit + frame.prime_meridian
-    first_y = (affine.y0 + half * affine.dy) * unit
+    first_x, first_y = affine.x0 + half * affine.dx, affine.y0 + half * affine.dy
     is_south_up = affine.dy > 0.0
     if is_south_up:
-        first_y += (tags.tiff.rows - 1) * affine.dy * unit
+        first_y += (tags.tiff.rows - 1) * affine.dy
+    step_x, step_y = affine.dx, abs(affine.dy)
+    if not frame.is_stated:
+        size = tags.tiff.columns, tags.tiff.rows
+        frame = frame.taken_from(frame_beside(tags.path, (first_x, first_y), (step_x, step_y), size))
+    unit = frame.metres_or_degrees
     place = Place(
-        first_x=first_x,
-        first_y=first_y,
-        step_x=affine.dx * unit,
-        step_y=abs(affine.dy) * unit,
+        first_x=first_x * unit + frame.prime_meridian,
+        first_y=first_y * unit,
+        step_x=step_x * unit,
+        step_y=step_y * unit,
         is_south_up=is_south_up,
         registration="points" if points else "cells",
         is_stated=True,
         notes=affine.notes,
     )
-    _check(tags, frame, place)
-    return place
-
-
-def _check(tags: Tags, frame: Frame, place: Place) -> None:
-    """Refuse steps and places that no map has."""
-    numbers = (place.first_x, place.first_y, place.step_x, place.step_y)
-    if not all(map(math.isfinite, numbers)) or not (place.step_x > 0.0 and place.step_y > 0.0):
-        raise tags.wrong(
-            "ModelPixelScale", f"steps of {place.step_x:g} and {place.step_y:g}", "finite steps above 0"
-        )
-    if not frame.projection.in_degrees:
-        return
-    south = place.first_y - (tags.tiff.rows - 1) * place.step_y
-    if place.first_y > 90.0 + place.step_y or south < -90.0 - place.step_y or abs(place.first_x) > 1080.0:
-        raise tags.wrong(
-            "ModelTiepoint",
-            f"latitudes from {south:g} to {place.first_y:g} and longitudes from {place.first_x:g}",
-            "degrees, as the keys say: latitudes within +-90",
-        )
+    return frame, place
 
 
 def _from_transformation(tags: Tags) -> _Affine | None:

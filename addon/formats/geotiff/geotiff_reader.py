@@ -15,6 +15,7 @@ from proxygraph import DecodeError, GeoTiff, GridError, GridLayout
 from ..decoding import Decoding
 from ..elevation_grid import ElevationGrid
 from ..format_error import FormatError
+from ..frames.map_place import check_place
 from ..georeference import Georeference
 from ..projections import Unknown
 from .geotiff_frame import Frame, frame_of
@@ -48,8 +49,7 @@ def read_geotiff(path: Path) -> ElevationGrid:
     try:
         tiff = GeoTiff.open(path)
         tags = Tags(path, tiff)
-        frame = frame_of(tags)
-        place = place_of(tags, frame)
+        frame, place = place_of(tags, frame_of(tags))
         values = values_of(tags, frame)
     except DecodeError as error:
         raise refused(path, error) from error
@@ -62,6 +62,7 @@ def read_geotiff(path: Path) -> ElevationGrid:
             way_out="Check its path and its permissions.",
         ) from error
     georeference = _georeference(frame, place, values).closed(tiff.columns)
+    check_place(georeference, tiff.rows, tiff.columns, lambda *what: tags.wrong(*what[:3]))
     layout, decoding, notes = _samples(tags, georeference, place, values)
     return ElevationGrid(
         path=path,
