@@ -6,6 +6,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
+from proxygraph import Progress
+
 from .elevation_grid import ElevationGrid
 from .file_bytes import file_length, read_head
 from .format_error import FormatError
@@ -77,6 +79,8 @@ class Sniffed:
     length: int
     position: HgtPosition | None = None
     """Where a degree square lies whose name does not tell."""
+    progress: Progress | None = None
+    """Where readers that look at every height tell how far they are."""
 
 
 @dataclass(frozen=True)
@@ -88,24 +92,30 @@ class Family:
     read: Callable[[Sniffed], ElevationGrid]
 
 
-def read_grid(path: Path, position: HgtPosition | None = None) -> ElevationGrid:
+def read_grid(
+    path: Path, position: HgtPosition | None = None, progress: Progress | None = None
+) -> ElevationGrid:
     """Read the header of a grid file: what it describes and where its samples lie, not the samples.
+
+    Grids of text are looked through once: nothing else tells where their heights are, and of which type.
 
     Args:
         path: of the header or of the data, whichever is at hand.
         position: of an SRTM square (``.hgt``) whose name does not say where it lies.
+        progress: moves while a grid of text is looked through.
 
     Raises:
         FormatError: naming file, field, what was found and expected, and a way out.
+        CancelledError: ``progress`` was asked to end.
     """
-    sniffed = _sniffed(path, position)
+    sniffed = _sniffed(path, position, progress)
     for family in FAMILIES:
         if family.recognises(sniffed):
             return family.read(sniffed)
     raise _no_grid(sniffed)
 
 
-def _sniffed(path: Path, position: HgtPosition | None) -> Sniffed:
+def _sniffed(path: Path, position: HgtPosition | None, progress: Progress | None) -> Sniffed:
     """Look at the file; a folder, an empty file and a wrong path are told here."""
     found = file_in_any_case(path)
     if found is None:
@@ -116,7 +126,7 @@ def _sniffed(path: Path, position: HgtPosition | None) -> Sniffed:
         raise FormatError(
             found, "file", found="no bytes", expected="an elevation grid", way_out="Download it again."
         )
-    return Sniffed(found, head, length, position)
+    return Sniffed(found, head, length, position, progress)
 
 
 def _not_a_file(path: Path) -> FormatError:
@@ -227,9 +237,15 @@ FAMILIES = (
     Family("ENVI", _is_envi_header, lambda file: read_envi(file.path)),
     Family("EHdr", _is_keyword_header, lambda file: _read_keyword_header(file.path, None)),
     Family(
-        "Esri ASCII", lambda file: looks_like_esri_ascii(file.head), lambda file: read_esri_ascii(file.path)
+        "Esri ASCII",
+        lambda file: looks_like_esri_ascii(file.head),
+        lambda file: read_esri_ascii(file.path, file.progress),
     ),
-    Family("USGS DEM", lambda file: looks_like_usgs_dem(file.head), lambda file: read_usgs_dem(file.path)),
+    Family(
+        "USGS DEM",
+        lambda file: looks_like_usgs_dem(file.head),
+        lambda file: read_usgs_dem(file.path, file.progress),
+    ),
     # What lies beside raw samples.
     Family("PDS3", _pds3_label_beside, lambda file: read_pds3(file.path)),
     Family("PDS4", _pds4_label_beside, lambda file: read_pds4(file.path)),

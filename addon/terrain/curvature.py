@@ -11,6 +11,7 @@ from .bend import Bend
 from .kept import keep_frame, recall
 from .mesh import move_vertices
 from .opened import OpenedGrids
+from .opening import open_shown
 from .preview import preview_cells, preview_surface
 
 
@@ -31,7 +32,7 @@ def show_curvature(terrain: bpy.types.Object, opened: OpenedGrids, *, curved: bo
     if bend is not None and bend.radius <= 0.0:
         raise CurvatureError(f"The grid of {terrain.name} states no radius of its body: it stays flat.")
     frame = replace(kept.frame, bend=bend)
-    surface = preview_surface(opened.open(kept), preview_cells(kept.grid.layout, kept.vertex_budget))
+    surface = preview_surface(open_shown(opened, kept), preview_cells(kept.grid.layout, kept.vertex_budget))
     try:
         move_vertices(cast("bpy.types.Mesh", terrain.data), surface, frame)
     except ValueError as error:

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import numpy.typing as npt
-from proxygraph import Grid
+from proxygraph import Grid, Progress
 
 from ..formats import ElevationGrid, FormatError, HgtPosition, read_grid
 from ..formats.source_stamp import SourceStamp
@@ -34,15 +34,16 @@ class Prepared:
     """Degrees at the shown samples, rows x columns."""
 
 
-def read_header(path: Path, options: ImportOptions) -> ElevationGrid:
+def read_header(path: Path, options: ImportOptions, progress: Progress | None = None) -> ElevationGrid:
     """What a file describes, as far as it is wanted.
 
     Raises:
         FormatError: the file cannot be used, or has no such region.
+        CancelledError: ``progress`` was asked to end.
     """
     place = options.position
     position = None if place is None else HgtPosition(latitude=place[0], longitude=place[1])
-    return cut_grid(read_grid(path, position), options.region)
+    return cut_grid(read_grid(path, position, progress), options.region)
 
 
 def prepare(path: Path, options: ImportOptions, work: Work) -> Prepared:
@@ -52,8 +53,7 @@ def prepare(path: Path, options: ImportOptions, work: Work) -> Prepared:
         FormatError: the file cannot be used, or was cut while it was read.
         CancelledError: the work was asked to end.
     """
-    work.begin("Reading the header", until=0.05)
-    grid = read_header(path.absolute(), options)
+    grid = read_header(path.absolute(), options, work.begin("Reading the header", until=0.05))
     stamp = _stamp(grid)
     raw = grid.open(work.begin("Decoding" if grid.decoding else "Opening", until=0.5))
     samples = filled(grid, raw, work.begin(_filling(grid), until=0.7)) if options.fill_voids else raw

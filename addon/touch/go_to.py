@@ -10,6 +10,7 @@ from proxygraph import Grid, Window
 
 from ..terrain.frame import map_size, nearest_on_map
 from ..terrain.kept import KeptTerrain, recall
+from ..terrain.opening import open_shown
 from ..terrain.view import look_at
 from .follow import lay_window
 from .live import Touch, live
@@ -41,7 +42,7 @@ def go_to(context: bpy.types.Context, terrain: bpy.types.Object, longitude: floa
     touch = live.touch
     if touch is not None and touch.terrain.find() != terrain:
         touch = None
-    grid = touch.grid if touch is not None else live.opened.open(kept)
+    grid = touch.grid if touch is not None else open_shown(live.opened, kept)
     up = _ground(grid, kept, east, north)
     placement = Placement.of(terrain, kept.frame)
     window = _window(touch, grid, placement, east, north, up)

@@ -11,6 +11,7 @@ from ..formats.profiles.profile import Profile, profile
 from ..terrain.frame import is_on_map, place_in_grid
 from ..terrain.kept import KeptTerrain, recall
 from ..terrain.marks import Between, MarkName, Place, marks_of, nearest_turn, set_between, set_mark
+from ..terrain.opening import open_shown
 from .go_to import PlaceError
 from .live import live
 from .placement import Placement
@@ -55,7 +56,7 @@ def open_grid(terrain: bpy.types.Object, kept: KeptTerrain) -> Grid:
     touch = live.touch
     if touch is not None and touch.terrain.find() == terrain:
         return touch.grid
-    return live.opened.open(kept)
+    return open_shown(live.opened, kept)
 
 
 def _place(context: bpy.types.Context, terrain: bpy.types.Object, kept: KeptTerrain) -> Place:

@@ -18,6 +18,7 @@ from proxygraph import (
 from ..formats import FormatError
 from ..terrain.frame import Point
 from ..terrain.kept import KeptTerrain, is_terrain, recall
+from ..terrain.opening import open_shown
 from ..terrain.preview import preview_cells, preview_surface
 from ..terrain.undone import undone_on_failure
 from .error import TouchError
@@ -99,7 +100,7 @@ def _touch(
     """
     scene = _open_scene(context)
     kept = recall(terrain)
-    grid = live.opened.open(kept)
+    grid = open_shown(live.opened, kept)
     context.view_layer.update()
     placement = Placement.of(terrain, kept.frame)
     if not placement.is_usable:

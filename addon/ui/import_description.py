@@ -10,7 +10,7 @@ from ..formats import SUFFIXES, ElevationGrid, FormatError
 from ..formats.cache import cache
 from ..formats.partner_file import is_file
 from ..terrain.byte_size import in_bytes
-from ..terrain.chosen_region import ChosenRegion
+from ..terrain.chosen_region import ChosenRegion, cut_grid
 from ..terrain.filling import copy_bytes, working_bytes
 from ..terrain.options import ImportOptions
 from ..terrain.prepare import read_header
@@ -116,7 +116,11 @@ def _grid(path: Path, options: ImportOptions) -> ElevationGrid:
     Raises:
         FormatError: the file cannot be used, or has no such part.
     """
-    found = _cached_grid(path, options.position, options.region, _ages(path))
+    ages = _ages(path)
+    if options.region is None:
+        found = _cached_grid(path, options.position, ages)
+    else:
+        found = _cached_part(path, options.position, options.region, ages)
     if isinstance(found, FormatError):
         raise found
     return found
@@ -124,14 +128,28 @@ def _grid(path: Path, options: ImportOptions) -> ElevationGrid:
 
 @lru_cache(maxsize=2)
 def _cached_grid(
-    path: Path,
-    position: tuple[float, float] | None,
-    region: ChosenRegion | None,
-    _ages: tuple[int, ...],
+    path: Path, position: tuple[float, float] | None, _ages: tuple[int, ...]
 ) -> ElevationGrid | FormatError:
-    """Remember the last headers, also one that is refused: the file browser asks each time it is drawn."""
+    """Remember the last headers, also one that is refused: the file browser asks each time it is drawn.
+
+    Always of the whole grid: one of text is looked through, which need not be done for every other region.
+    """
     try:
-        return read_header(path, ImportOptions(position=position, region=region))
+        return read_header(path, ImportOptions(position=position))
+    except FormatError as error:
+        return error
+
+
+@lru_cache(maxsize=2)
+def _cached_part(
+    path: Path, position: tuple[float, float] | None, region: ChosenRegion, ages: tuple[int, ...]
+) -> ElevationGrid | FormatError:
+    """Remember the last parts: to find one on a map in metres takes some thousand places."""
+    whole = _cached_grid(path, position, ages)
+    if isinstance(whole, FormatError):
+        return whole
+    try:
+        return cut_grid(whole, region)
     except FormatError as error:
         return error
 
@@ -141,13 +159,11 @@ def _cached_extremes(
     path: Path,
     position: tuple[float, float] | None,
     region: ChosenRegion | None,
-    ages: tuple[int, ...],
+    _ages: tuple[int, ...],
 ) -> Extremes | FormatError | None:
     """Remember the last scans; ``None`` where there is no height at all."""
-    grid = _cached_grid(path, position, region, ages)
-    if isinstance(grid, FormatError):
-        return grid
     try:
+        grid = _grid(path, ImportOptions(position=position, region=region))
         samples = grid.open()
         found = samples.range()
         refuse_damaged(grid, samples)

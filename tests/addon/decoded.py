@@ -30,7 +30,7 @@ def decode_everything(monkeypatch: pytest.MonkeyPatch, decoder: Decoder = copyin
         calls.append(path)
         return decoder(path, *arguments)
 
-    def read(path: Path, _position: object = None) -> Any:
+    def read(path: Path, *_arguments: object) -> Any:
         return replace(module("formats").read_grid(path), decoding=decoding.Decoding("test"))
 
     monkeypatch.setitem(module("formats.decoders").DECODERS, "test", noted)

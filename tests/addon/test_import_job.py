@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 from threading import Event
+from time import monotonic, sleep
 from types import SimpleNamespace
 from typing import Any
 
@@ -14,6 +15,7 @@ from proxygraph import Grid
 from tests.addon.decoded import copying, decode_everything
 from tests.addon.scene import contents, module
 from tests.formats.megdr_pair import MegdrPair, rough
+from tests.formats.usgs_dem_file import DemFile
 
 WAIT = 30.0
 """Seconds after which a thread of a test has failed."""
@@ -77,6 +79,38 @@ def test_a_cancelled_job_ends_in_the_decoder_and_leaves_nothing(
     imported = finish(job)
     assert (imported.terrains, imported.failures) == ([], [])
     assert contents() == before
+
+
+def looked_through(path: Path, progress: Any) -> None:
+    """Stand in for the look at every height of a grid of text."""
+    for _ in range(int(WAIT / 0.01)):
+        progress.step(1, 2)
+        sleep(0.01)
+    raise AssertionError(f"{path} was not cancelled")
+
+
+@pytest.mark.parametrize(
+    ("reader", "native", "content"),
+    [
+        ("esri_ascii", "EsriAscii", "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 30\n1 2 3 4\n"),
+        ("usgs_dem", "UsgsDem", DemFile().data()),
+    ],
+)
+def test_a_grid_of_text_that_is_looked_through_shows_it_and_can_be_cancelled(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, reader: str, native: str, content: str | bytes
+) -> None:
+    path = tmp_path / "text.grid"
+    path.write_bytes(content if isinstance(content, bytes) else content.encode())
+    monkeypatch.setattr(module(f"formats.text.{reader}"), native, SimpleNamespace(open=looked_through))
+    job = job_of(path)
+    job.start()
+    until = monotonic() + WAIT
+    while job.share == 0.0 and monotonic() < until and not job.poll():
+        sleep(0.001)
+    assert (job.step, job.share) == ("text.grid: Reading the header", pytest.approx(0.025))
+    job.cancel()
+    imported = finish(job)
+    assert (imported.terrains, imported.failures) == ([], [])
 
 
 def test_a_job_that_is_cancelled_when_all_is_prepared_adds_nothing(label: Path) -> None:

@@ -202,6 +202,25 @@ def test_the_import_dialog_explains_a_region_that_is_not_there(label: Path) -> N
     assert "region: found 100 to 110 E" in " ".join(of_chosen(label, region="DEGREES", **choice).labels)
 
 
+def test_the_import_dialog_reads_a_file_once_for_all_regions(
+    label: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    header, description, calls = module("terrain.prepare"), module("ui.import_description"), []
+    read_grid = header.read_grid
+
+    def read(*arguments: Any) -> Any:
+        calls.append(arguments)
+        return read_grid(*arguments)
+
+    monkeypatch.setattr(header, "read_grid", read)
+    description._cached_grid.cache_clear()
+    for rows in range(2, 9):
+        choice = {"first_column": 0, "first_row": 0, "columns": 10, "rows": rows}
+        labels = of_chosen(label, region="SAMPLES", **choice).labels
+        assert f"10 x {rows} = {10 * rows} samples to touch" in labels
+    assert len(calls) == 1
+
+
 def test_the_import_dialog_says_how_many_files_there_are(label: Path) -> None:
     assert "2 files; the first is" in of_chosen(label, label.with_suffix(".img")).labels
 
@@ -222,7 +241,7 @@ def test_the_import_dialog_shows_what_the_reader_noticed(
 ) -> None:
     description, header = module("ui.import_description"), module("terrain.prepare")
     grid = replace(module("formats").read_grid(label), notes=("The last profile is missing.",))
-    monkeypatch.setattr(header, "read_grid", lambda _path, _position: grid)
+    monkeypatch.setattr(header, "read_grid", lambda *_arguments: grid)
     description._cached_grid.cache_clear()
     assert "The last profile is missing." in of_chosen(label).labels
     import_grid(label)
