@@ -183,6 +183,7 @@ def _georeference(source: Any, refuse: Any) -> tuple[Georeference, tuple[str, ..
             step_x=transform.a,
             step_y=down,
             vertical_reference="not stated",
+            latitude_kind="planetocentric" if ellipsoid.is_sphere else "planetographic",
             frame=frame,
         ).closed(source.width),
         tuple(notes),
