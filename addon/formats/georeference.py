@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 from typing import Literal
 
 from .body.ellipsoid import Ellipsoid
+from .body.latitudes import planetographic_degrees, to_planetographic
 from .projections import Coordinates, Projection
 from .projections.map_scale import map_scale
 from .region import Region
@@ -72,9 +73,13 @@ class Georeference:
             )
             return self.step_x / scale[0], self.step_y / scale[1]
         middle = self.first_y - (rows - 1) / 2.0 * self.step_y
+        step_y = self.step_y
+        if self.latitude_kind == "planetocentric" and not self.ellipsoid.is_sphere:
+            step_y *= planetographic_degrees(middle, self.ellipsoid)
+            middle = to_planetographic(middle, self.ellipsoid)
         return (
             self.step_x * self.ellipsoid.degree_of_longitude(middle),
-            self.step_y * self.ellipsoid.degree_of_latitude(middle),
+            step_y * self.ellipsoid.degree_of_latitude(middle),
         )
 
     def x(self, column: float) -> float:

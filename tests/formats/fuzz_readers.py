@@ -112,6 +112,48 @@ FAMILIES: dict[str, Callable[[Path], object]] = {
 }
 
 
+def envi_of_open_lists(folder: Path) -> None:
+    """A megabyte of lists of which only the last is closed: each begins in the one before."""
+    (folder / "grid.hdr").write_text("ENVI\n" + "a={\n" * 250_000 + "}", encoding="ascii")
+
+
+def pds4_of_nested(element: str, count: int) -> Callable[[Path], object]:
+    """A label of elements each inside the one before."""
+
+    def write(folder: Path) -> None:
+        nested = f"<{element}>" * count + f"</{element}>" * count
+        (folder / "grid.xml").write_text(
+            f'<P xmlns="http://pds.nasa.gov/pds4/pds/v1">{nested}</P>', encoding="ascii"
+        )
+
+    return write
+
+
+def pds4_of_nested_axes(folder: Path) -> None:
+    """Axes of an array each inside the one before."""
+    count = 60_000
+    nested = (
+        "<Axis_Array>" * count + "<axis_name>Line</axis_name><elements>2</elements>" + "</Axis_Array>" * count
+    )
+    Pds4Pair(axes=nested).write(folder)
+
+
+def pds3_of_empty_assignments(folder: Path) -> None:
+    """The largest text that is followed, of assignments without values."""
+    (folder / "grid.lbl").write_text(
+        "PDS_VERSION_ID = PDS3\n" + "A = \n" * 12_000 + "END\n", encoding="ascii"
+    )
+
+
+SLOW_ONCE: dict[str, Callable[[Path], object]] = {
+    "ENVI of open lists": envi_of_open_lists,
+    "PDS4 of nested file areas": pds4_of_nested("File_Area_Observational", 60_000),
+    "PDS4 of nested axes": pds4_of_nested_axes,
+    "PDS3 of empty assignments": pds3_of_empty_assignments,
+}
+"""Small files that took seconds, or minutes, of which no spoiling comes."""
+
+
 class SlowError(BaseException):
     """An answer took too long; no reader may catch it."""
 
@@ -136,6 +178,10 @@ def main() -> int:
     counts: Counter[str] = Counter()
     findings = 0
     grown_from = None
+    for name in SLOW_ONCE:
+        answer = run_case(name, None)
+        counts[f"{name}: {answer}"] += 1
+        findings += answer == "FOUND"
     began, seed = time.monotonic(), asked.seed
     while time.monotonic() - began < asked.seconds:
         name = names[seed % len(names)]
@@ -155,13 +201,19 @@ def main() -> int:
     return 1 if findings else 0
 
 
-def run_case(name: str, seed: int) -> str:
-    """Make one spoilt set of files, and read each of them."""
-    chance = random.Random(seed)
+def run_case(name: str, seed: int | None) -> str:
+    """Make one set of files, and read each of them.
+
+    Args:
+        seed: of what is spoilt in them; ``None``: nothing, they are bad as they are.
+    """
     folder = Path(tempfile.mkdtemp(prefix="fuzz-"))
     try:
-        FAMILIES[name](folder)
-        spoil(folder, chance)
+        if seed is None:
+            SLOW_ONCE[name](folder)
+        else:
+            FAMILIES[name](folder)
+            spoil(folder, random.Random(seed))
         signal.setitimer(signal.ITIMER_REAL, SLOW_SECONDS)
         faulthandler.dump_traceback_later(STUCK_SECONDS, exit=True)
         answers = {read_all(path) for path in sorted(folder.iterdir())}

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from addon.formats.body.distance import distance
 from addon.formats.body.ellipsoid import Ellipsoid
-from addon.formats.body.latitudes import to_planetocentric, to_planetographic
+from addon.formats.body.latitudes import planetographic_degrees, to_planetographic
 from addon.formats.projections.meridian import meridian_distance
 
 SPHERE = Ellipsoid.sphere(1000.0)
@@ -95,17 +95,22 @@ def test_hostile_numbers_give_metres_or_none(
 
 
 def test_latitudes_of_mars_differ_by_a_third_of_a_degree() -> None:
-    assert to_planetocentric(45.0, MARS) == pytest.approx(44.6618, abs=1e-4)
+    assert to_planetographic(44.6618, MARS) == pytest.approx(45.0, abs=1e-4)
     assert to_planetographic(45.0, MARS) == pytest.approx(45.3382, abs=1e-4)
-    assert to_planetographic(to_planetocentric(-72.5, MARS), MARS) == pytest.approx(-72.5)
+    assert to_planetographic(-45.0, MARS) == pytest.approx(-45.3382, abs=1e-4)
+
+
+@pytest.mark.parametrize("latitude", [-89.0, -30.0, 0.0, 45.0, 72.5])
+def test_latitudes_grow_as_they_differ(latitude: float) -> None:
+    apart = to_planetographic(latitude + 1e-4, MARS) - to_planetographic(latitude - 1e-4, MARS)
+    assert planetographic_degrees(latitude, MARS) == pytest.approx(apart / 2e-4, rel=1e-7)
 
 
 @pytest.mark.parametrize("latitude", [-90.0, 0.0, 90.0])
 def test_equator_and_poles_are_the_same_in_either_kind(latitude: float) -> None:
-    assert to_planetocentric(latitude, MARS) == latitude
     assert to_planetographic(latitude, MARS) == latitude
 
 
 def test_a_sphere_has_one_kind_of_latitude() -> None:
-    assert to_planetocentric(33.3, SPHERE) == 33.3
     assert to_planetographic(33.3, SPHERE) == 33.3
+    assert planetographic_degrees(33.3, SPHERE) == pytest.approx(1.0)

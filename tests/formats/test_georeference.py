@@ -81,3 +81,23 @@ def test_grids_in_metres_come_back(projection: Projection, ellipsoid: Ellipsoid)
 def test_every_projection_is_kept_with_its_georeference(name: str) -> None:
     georeference = placed(KINDS[name](), (1.0, 2.0), 3.0)
     assert georeference_from(georeference_properties(georeference)) == georeference
+
+
+def test_cells_of_planetocentric_degrees_are_measured_on_the_ellipsoid() -> None:
+    """Against the places themselves, on the ellipse of a meridian."""
+    mars = Ellipsoid(3_396_190.0, 3_376_200.0)
+    step, middle = 1e-3, 60.0
+    place = Georeference("Mars", mars, Geographic(), 0.0, middle + step, step, step, "areoid")
+    assert place.latitude_kind == "planetocentric"
+
+    def on_ellipse(latitude: float) -> tuple[float, float]:
+        radius = 1.0 / math.hypot(
+            math.cos(math.radians(latitude)) / mars.semi_major,
+            math.sin(math.radians(latitude)) / mars.semi_minor,
+        )
+        return radius * math.cos(math.radians(latitude)), radius * math.sin(math.radians(latitude))
+
+    width, height = place.cell_size(3)
+    assert width == pytest.approx(math.radians(step) * on_ellipse(middle)[0], rel=1e-9)
+    ends = on_ellipse(middle + step), on_ellipse(middle - step)
+    assert height == pytest.approx(math.dist(*ends) / 2.0, rel=1e-7)

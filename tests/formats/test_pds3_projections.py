@@ -13,6 +13,7 @@ from pathlib import Path
 import pytest
 
 from addon.formats import read_grid
+from addon.formats.projections import LambertConformalConic
 from tests.formats.megdr_pair import MegdrPair, rough
 from tests.formats.reading import complaint, heights
 
@@ -270,6 +271,21 @@ def test_a_sinusoidal_map(tmp_path: Path) -> None:
     longitude = 180.0 + math.degrees(300_000.0 / 3_396_000.0 / math.cos(math.radians(latitude)))
     assert found == pytest.approx((longitude, latitude), abs=1e-9)
     assert grid.layout.cell_width == 100.0
+
+
+def test_a_cone_has_the_parallels_of_its_label(tmp_path: Path) -> None:
+    pair = equirectangular(
+        MAP_PROJECTION_TYPE='"LAMBERT CONFORMAL CONIC"',
+        CENTER_LATITUDE=30,
+        FIRST_STANDARD_PARALLEL="20 <DEG>",
+        SECOND_STANDARD_PARALLEL="50 <DEG>",
+    )
+    assert read_grid(pair.write(tmp_path)).georeference.projection == LambertConformalConic(
+        central_longitude=180.0,
+        latitude_of_origin=30.0,
+        standard_parallel_1=20.0,
+        standard_parallel_2=50.0,
+    )
 
 
 @pytest.mark.parametrize(

@@ -8,6 +8,13 @@ from pathlib import Path
 import pytest
 
 from addon.formats import read_grid
+from addon.formats.projections import (
+    LambertConformalConic,
+    Mercator,
+    PolarStereographic,
+    Projection,
+    TransverseMercator,
+)
 from tests.formats.raw_grids import EQUIRECTANGULAR, POLAR, Pds4Pair
 from tests.formats.reading import complaint, heights, needs_raw_decoder
 
@@ -128,6 +135,70 @@ def test_a_polar_map_is_in_metres(tmp_path: Path) -> None:
     assert found[0] == pytest.approx(315.0)
     distance = math.hypot(360.0, 360.0)
     assert found[1] == pytest.approx(-90.0 + math.degrees(2.0 * math.atan(distance / 2.0 / RADIUS)), abs=1e-9)
+
+
+PIXELS = '<cart:pixel_resolution_x unit="m/pixel">100000</cart:pixel_resolution_x>'
+CORNER = (
+    '<cart:upperleft_corner_x unit="m">-300000</cart:upperleft_corner_x>'
+    '<cart:upperleft_corner_y unit="m">400000</cart:upperleft_corner_y>'
+)
+
+
+def stated_map(name: str, **numbers: float) -> Pds4Pair:
+    elements = "".join(f"<cart:{field}>{number}</cart:{field}>" for field, number in numbers.items())
+    projection = f"<cart:map_projection_name>{name}</cart:map_projection_name>{elements}"
+    return Pds4Pair(projection=projection, resolution=PIXELS, corner=CORNER)
+
+
+def test_an_origin_beside_the_pole_is_the_parallel_of_true_scale(tmp_path: Path) -> None:
+    pair = stated_map("Polar Stereographic", latitude_of_projection_origin=-71)
+    projection = read_grid(pair.write(tmp_path)).georeference.projection
+    assert projection == PolarStereographic(latitude_of_origin=-90.0, standard_parallel_1=-71.0)
+
+
+@pytest.mark.parametrize(
+    ("name", "stated", "projection"),
+    [
+        (
+            "Polar Stereographic",
+            {"latitude_of_projection_origin": 90, "scale_factor_at_projection_origin": 0.994},
+            PolarStereographic(scale_factor=0.994),
+        ),
+        (
+            "Transverse Mercator",
+            {"latitude_of_projection_origin": 10, "scale_factor_at_central_meridian": 0.9996},
+            TransverseMercator(latitude_of_origin=10.0, scale_factor=0.9996),
+        ),
+        ("Mercator", {"standard_parallel_1": 30}, Mercator(standard_parallel_1=30.0)),
+        ("Mercator", {"scale_factor_at_projection_origin": 0.9}, Mercator(scale_factor=0.9)),
+        (
+            "Lambert Conformal Conic",
+            {"standard_parallel_1": 20, "standard_parallel_2": 50, "latitude_of_projection_origin": 30},
+            LambertConformalConic(
+                latitude_of_origin=30.0, standard_parallel_1=20.0, standard_parallel_2=50.0
+            ),
+        ),
+        (
+            "Lambert Conformal Conic",
+            {"latitude_of_projection_origin": 30},
+            LambertConformalConic(
+                latitude_of_origin=30.0, standard_parallel_1=30.0, standard_parallel_2=30.0
+            ),
+        ),
+    ],
+)
+def test_parallels_and_scale_factors_are_heeded(
+    tmp_path: Path, name: str, stated: dict[str, float], projection: Projection
+) -> None:
+    grid = read_grid(stated_map(name, **stated).write(tmp_path))
+    assert grid.georeference.projection == projection
+    assert grid.notes == ()
+
+
+@pytest.mark.parametrize("written", [0, -1])
+def test_a_scale_factor_of_nothing_is_refused(tmp_path: Path, written: float) -> None:
+    text = complaint(stated_map("Mercator", scale_factor_at_projection_origin=written).write(tmp_path))
+    assert "scale_factor_at_projection_origin" in text
 
 
 def test_another_projection_is_touched_in_metres(tmp_path: Path) -> None:

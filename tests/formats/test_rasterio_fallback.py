@@ -167,6 +167,17 @@ def test_regions_are_read_alone_also_across_the_seam(file: Path, monkeypatch: py
     assert part == [[source.values[row, column % 8] for column in range(6, 10)] for row in range(1, 4)]
 
 
+@pytest.mark.parametrize(
+    ("axes", "kind"), [({"R": 1_737_400}, "planetocentric"), ({"a": 3e6, "b": 2.9e6}, "planetographic")]
+)
+def test_latitudes_on_an_ellipsoid_are_of_its_vertical(
+    file: Path, monkeypatch: pytest.MonkeyPatch, axes: dict[str, float], kind: str
+) -> None:
+    crs = SimpleNamespace(is_geographic=True, to_string=lambda: "x", to_wkt=lambda: "x", to_dict=lambda: axes)
+    use(monkeypatch, StandIn(crs=crs))
+    assert read_grid(file).georeference.latitude_kind == kind
+
+
 def test_void_factor_and_offset(file: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     values = np.array([[1, -9999], [2, 3]], dtype=np.int16)
     use(monkeypatch, StandIn(values=values, nodata=-9999.0, scales=(0.5,), offsets=(10.0,)))

@@ -11,18 +11,21 @@ import math
 from .ellipsoid import Ellipsoid
 
 
-def to_planetocentric(latitude: float, ellipsoid: Ellipsoid) -> float:
-    """From a planetographic latitude; degrees in and out."""
-    return _steepened(latitude, (ellipsoid.semi_minor / ellipsoid.semi_major) ** 2)
-
-
 def to_planetographic(latitude: float, ellipsoid: Ellipsoid) -> float:
-    """From a planetocentric latitude; degrees in and out."""
-    return _steepened(latitude, (ellipsoid.semi_major / ellipsoid.semi_minor) ** 2)
-
-
-def _steepened(latitude: float, factor: float) -> float:
-    """The angle whose tangent is so many times as large; poles stay poles."""
+    """From a planetocentric latitude; degrees in and out. Poles stay poles."""
+    factor = _steeper(ellipsoid)
     if factor == 1.0 or abs(latitude) >= 90.0:
         return latitude
     return math.degrees(math.atan(factor * math.tan(math.radians(latitude))))
+
+
+def planetographic_degrees(latitude: float, ellipsoid: Ellipsoid) -> float:
+    """By how much the planetographic latitude grows with each degree of a planetocentric one, there."""
+    factor = _steeper(ellipsoid)
+    sine, cosine = math.sin(math.radians(latitude)), math.cos(math.radians(latitude))
+    return factor / (cosine * cosine + factor * factor * sine * sine)
+
+
+def _steeper(ellipsoid: Ellipsoid) -> float:
+    """How many times the planetographic latitude's tangent is as large."""
+    return (ellipsoid.semi_major / ellipsoid.semi_minor) ** 2

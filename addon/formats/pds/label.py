@@ -24,6 +24,9 @@ FIRST_KEYWORD = "PDS_VERSION_ID"
 MAXIMUM_BYTES = 64 << 10
 """A label has 2 to 6 kilobytes; to follow a mebibyte of text takes half a minute."""
 
+MOST_ASSIGNMENTS = 1000
+"""A label has some 100; pvl follows up to 3 in a millisecond, while Blender waits."""
+
 END_OF_LABEL = re.compile(r"^[ \t]*END[ \t]*(?=\r|\n|\Z)", re.MULTILINE)
 """The statement after which the data begin where label and data are one file."""
 
@@ -111,6 +114,9 @@ class Label:
 def read_label(path: Path) -> Label:
     """Read a label: a file of its own, or the beginning of the data file."""
     text = _label_text(path)
+    assignments = text.count("=")
+    if assignments > MOST_ASSIGNMENTS:
+        raise _no_label(path, f"{assignments:,} equals signs, where {MOST_ASSIGNMENTS:,} are many")
     try:
         keywords = pvl.loads(text, parser=LabelParser())
     except Exception as error:  # pvl raises several kinds for text that it cannot follow

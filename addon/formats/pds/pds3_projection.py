@@ -133,6 +133,10 @@ class _Place:
             name,
             self.map.optional("CENTER_LONGITUDE", DEGREES) or 0.0,
             self.map.optional("CENTER_LATITUDE", DEGREES) or 0.0,
+            (
+                self.map.optional("FIRST_STANDARD_PARALLEL", DEGREES),
+                self.map.optional("SECOND_STANDARD_PARALLEL", DEGREES),
+            ),
         )
         line, sample = self.map.origin()
         if not self.map.has_offsets:

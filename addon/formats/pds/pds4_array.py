@@ -93,7 +93,7 @@ def _label_path(path: Path) -> Path:
 
 def _array(label: Pds4Label) -> tuple[Element, Element]:
     """The first array of elevations, and the file area that it is in."""
-    areas = [element for element in label.root.iter() if _is_file_area(element)]
+    areas = _file_areas(label.root)
     for name in ARRAYS:
         for area in areas:
             found = label.first(name, within=area)
@@ -107,8 +107,17 @@ def _array(label: Pds4Label) -> tuple[Element, Element]:
     )
 
 
-def _is_file_area(element: Element) -> bool:
-    return local_name(element).startswith("File_Area_")
+def _file_areas(root: Element) -> list[Element]:
+    """The file areas, in the label's order; what is inside one belongs to it."""
+    areas = []
+    waiting = [root]
+    while waiting:
+        element = waiting.pop()
+        if local_name(element).startswith("File_Area_"):
+            areas.append(element)
+        else:
+            waiting.extend(reversed(element))
+    return areas
 
 
 def _data_path(label: Pds4Label, area: Element) -> Path:
@@ -172,7 +181,8 @@ def _axes(label: Pds4Label, array: Element) -> dict[str, int]:
     if order.lower() != "last index fastest":
         raise label.wrong("axis_index_order", order, "Last Index Fastest", "Convert the grid.")
     numbered = []
-    for position, axis in enumerate(label.all("Axis_Array", array)):
+    axes = [child for child in array if local_name(child) == "Axis_Array"]
+    for position, axis in enumerate(axes):
         name = label.text("axis_name", within=axis).lower()
         sequence = label.optional_number("sequence_number", within=axis)
         numbered.append((position + 1 if sequence is None else sequence, name, _elements(label, axis)))

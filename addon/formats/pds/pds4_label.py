@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from xml.etree import ElementTree
 from xml.etree.ElementTree import Element
@@ -32,8 +33,9 @@ class Pds4Label:
 
     def all(self, name: str, within: Element | None = None) -> list[Element]:
         """Every element of that name, however deep."""
-        start = self.root if within is None else within
-        return [element for element in start.iter() if local_name(element) == name]
+        if within is None:
+            return self._by_name.get(name, [])
+        return [element for element in within.iter() if local_name(element) == name]
 
     def first(self, *names: str, within: Element | None = None) -> Element | None:
         """The first element that has one of these names, the names in order of preference."""
@@ -92,6 +94,14 @@ class Pds4Label:
     def wrong(self, field: str, found: object, expected: object, way_out: str) -> FormatError:
         """Make the error for one of this label's elements."""
         return refusal(self.path, field, found, expected, way_out)
+
+    @cached_property
+    def _by_name(self) -> dict[str, list[Element]]:
+        """All elements: a reader asks for dozens of names, and a label may have a million elements."""
+        named: dict[str, list[Element]] = {}
+        for element in self.root.iter():
+            named.setdefault(local_name(element), []).append(element)
+        return named
 
 
 def read_pds4_label(path: Path) -> Pds4Label:

@@ -20,11 +20,13 @@ METRES: Units = {"m": 1.0, "km": 1000.0}
 DEGREES: Units = {"deg": 1.0, "degree": 1.0, "degrees": 1.0}
 
 METRES_PER_PIXEL: Units = {"m/pixel": 1.0, "m/pix": 1.0, "km/pixel": 1000.0, "km/pix": 1000.0}
-DEGREES_PER_PIXEL: Units = {"deg/pixel": 1.0, "deg/pix": 1.0, "degree/pixel": 1.0}
 PIXELS_PER_DEGREE: Units = {"pixel/deg": 1.0, "pix/deg": 1.0, "pixels/degree": 1.0, "pixel/degree": 1.0}
 
 RESOLUTIONS = ("pixel_resolution", "pixel_scale")
 """Which is metres and which is pixels a degree was exchanged between versions: the units decide."""
+
+SCALE_FACTORS = ("scale_factor_at_projection_origin", "scale_factor_at_central_meridian")
+"""Names of one number, of the classes of different projections."""
 
 CYLINDRICAL = ("EQUIRECTANGULAR", "SIMPLE CYLINDRICAL", "EQUIDISTANT CYLINDRICAL")
 
@@ -121,7 +123,7 @@ class _Place:
 
     def polar(self) -> Found:
         """Around a pole, in metres."""
-        # Some labels state the middle of the map, or the latitude of true scale: its side is meant.
+        # GDAL states the latitude of true scale for the origin: its side is the pole.
         stated = self._degrees("latitude_of_projection_origin")
         pole = math.copysign(90.0, self._bound("south") if stated is None else stated)
         middle = (
@@ -129,7 +131,10 @@ class _Place:
             or self._degrees("longitude_of_central_meridian")
             or 0.0
         )
-        projection = polar_stereographic(pole, middle, self._degrees("standard_parallel_1"))
+        true_scale = self._degrees("standard_parallel_1")
+        if true_scale is None and stated is not None and abs(stated) < 90.0:
+            true_scale = stated
+        projection = polar_stereographic(pole, middle, true_scale, self._scale_factor())
         radius = self._radius("c_axis_radius", "polar_radius") or self._radius_or_error()
         return self._projected(projection, (), Ellipsoid.sphere(radius))
 
@@ -139,6 +144,8 @@ class _Place:
             name,
             self._degrees("longitude_of_central_meridian") or 0.0,
             self._degrees("latitude_of_projection_origin") or 0.0,
+            (self._degrees("standard_parallel_1"), self._degrees("standard_parallel_2")),
+            self._scale_factor(),
         )
         return self._projected(projection, notes, self._ellipsoid())
 
@@ -191,8 +198,15 @@ class _Place:
     def _degrees(self, name: str) -> float | None:
         return self.label.optional_number(name, units=DEGREES)
 
+    def _scale_factor(self) -> float:
+        """Of the whole map, 1 where none is stated."""
+        return self._above_0(*SCALE_FACTORS) or 1.0
+
     def _radius(self, *names: str) -> float | None:
-        number = self.label.optional_number(*names, units=METRES)
+        return self._above_0(*names, units=METRES)
+
+    def _above_0(self, *names: str, units: Units | None = None) -> float | None:
+        number = self.label.optional_number(*names, units=units)
         if number is not None and number <= 0.0:
             raise self.label.wrong(names[0], f"{number:g}", "a number above 0", "Mend the label.")
         return number

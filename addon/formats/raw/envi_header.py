@@ -81,7 +81,8 @@ class EnviHeader:
 def read_envi_header(path: Path) -> EnviHeader:
     """Read a header."""
     text = read_head(path, MAXIMUM_BYTES).decode("latin-1")
-    unclosed = UNCLOSED.search(text)
+    # Looked for after the last brace only, since each list that is closed there would be read up to it.
+    unclosed = UNCLOSED.search(text, text.rfind("}") + 1)
     if unclosed is not None:
         raise refusal(
             path,
