@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from proxygraph import DecodeError, Grid, GridError, GridLayout, Progress
@@ -36,6 +36,11 @@ class ElevationGrid:
     """How the samples are decoded; ``None`` where they are mapped in place."""
     notes: tuple[str, ...] = ()
     """What a person should know of this file: what was missing, what was assumed."""
+    range: tuple[float, float] | None = field(default=None, compare=False)
+    """Lowest and highest elevation, metres, where the reader had to look at all; ``None`` where it did not,
+    and where all are void."""
+    voids: int | None = field(default=None, compare=False)
+    """How many samples are void, where the reader had to look at all; else ``None``."""
 
     @property
     def samples(self) -> int:
@@ -58,7 +63,7 @@ class ElevationGrid:
         region.check_on(self.layout)
         georeference = self.georeference.cut(region)
         width, height = georeference.cell_size(region.rows, region.columns)
-        cut = replace(self, georeference=georeference)
+        cut = replace(self, georeference=georeference, range=None, voids=None)
         # A region across the seam has its columns in two places of each row: they are brought together.
         if self.decoding is None and region.first_column + region.columns <= self.layout.columns:
             return replace(cut, layout=region.mapped(self.layout, width, height))

@@ -24,10 +24,12 @@ DIALOG_LETTERS = 48
 MOST_SCANNED = 4_000_000
 """Samples that are looked through for their range while a dialog is drawn: some hundredths of a second."""
 
+NO_DATA = "No data in any sample"
+
 
 @dataclass(frozen=True)
 class Extremes:
-    """What a scan of the samples found."""
+    """What a look at all samples found."""
 
     minimum: float
     maximum: float
@@ -92,12 +94,14 @@ def in_metres(length: float) -> str:
 
 def _extremes(path: Path, options: ImportOptions, grid: ElevationGrid) -> Extremes | str:
     """What a quick look at the samples finds, or in words why there is nothing to tell."""
+    if grid.voids is not None:  # the reader has looked already
+        return NO_DATA if grid.range is None else Extremes(*grid.range, grid.voids)
     if grid.decoding is not None or grid.samples > MOST_SCANNED:
         return "Range and voids: known when it is read"
     found = _cached_extremes(path, options.position, options.region, _ages(path))
     if isinstance(found, FormatError):
         return str(found)
-    return "No data in any sample" if found is None else found
+    return NO_DATA if found is None else found
 
 
 def _extremes_lines(found: Extremes | str) -> list[str]:

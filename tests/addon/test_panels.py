@@ -236,6 +236,17 @@ def test_the_import_dialog_says_what_decoding_needs(label: Path, monkeypatch: py
     description._cached_grid.cache_clear()
 
 
+def test_the_import_dialog_knows_the_heights_of_a_grid_of_text(tmp_path: Path) -> None:
+    header = "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 30\n"
+    some, none = tmp_path / "some.asc", tmp_path / "none.asc"
+    some.write_text(f"{header}1 2 -9999 3400\n")
+    none.write_text(header + "-9999 " * 4)
+    assert "1 to 3,400 m, 1 void" in of_chosen(some).labels
+    assert "No data in any sample" in of_chosen(none).labels
+    choice = {"first_column": 0, "first_row": 0, "columns": 2, "rows": 2}
+    assert "1 to 3,400 m, 1 void" in of_chosen(some, region="SAMPLES", **choice).labels
+
+
 def test_the_import_dialog_shows_what_the_reader_noticed(
     label: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

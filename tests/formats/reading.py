@@ -29,6 +29,16 @@ def complaint(path: Path) -> str:
     return str(caught.value)
 
 
+def assert_looked_through(grid: ElevationGrid) -> None:
+    """Check the range and the voids that the reader found against all samples."""
+    found = grid.open().range()
+    if found is None:
+        assert (grid.range, grid.voids) == (None, grid.samples)
+        return
+    assert grid.range == pytest.approx((found.minimum, found.maximum), rel=1e-6)
+    assert grid.voids == found.voids
+
+
 def heights(grid: ElevationGrid) -> list[list[float | None]]:
     """Every elevation of a small grid, metres; ``None`` where void."""
     samples = grid.open()

@@ -13,6 +13,7 @@ from proxygraph import CancelledError, Progress
 from addon.formats import ElevationGrid, FormatError, Region
 from addon.formats.projections import Geographic, Unknown
 from addon.formats.text.esri_ascii import read_esri_ascii
+from tests.formats.reading import assert_looked_through
 
 HEADER = {
     "ncols": "3",
@@ -199,6 +200,21 @@ def test_a_prj_file_beside_says_where(tmp_path: Path, name: str) -> None:
 def test_a_prj_file_that_is_not_understood_is_told(tmp_path: Path) -> None:
     (tmp_path / "grid.prj").write_text("<html>")
     assert any("grid.prj is not understood" in note for note in read(tmp_path, text()).notes)
+
+
+@pytest.mark.parametrize(
+    "heights",
+    [HEIGHTS, ["1.5 2 nan", "-7.25 1e4 5"], ["-9999 " * 6], ["1 2 3", "4 5 6"], ["0.1 0.2 0.3 -4.1 5 6"]],
+)
+@pytest.mark.parametrize("unit", ["METERS", "FEET"])
+def test_range_and_voids_are_known_from_the_look_at_every_height(
+    tmp_path: Path, heights: list[str], unit: str
+) -> None:
+    (tmp_path / "grid.prj").write_text(f"Projection UTM\nZone 10\nDatum NAD27\nZunits {unit}\nUnits METERS\n")
+    grid = read(tmp_path, text(heights=heights))
+    assert_looked_through(grid)
+    part = grid.region(Region(0, 0, 2, 2))
+    assert (part.range, part.voids) == (None, None)
 
 
 def test_units_of_heights_from_the_prj_file(tmp_path: Path) -> None:

@@ -13,6 +13,7 @@ from addon.formats import ElevationGrid, FormatError, Region
 from addon.formats.body.datums import CLARKE_1866, GRS80, WGS84
 from addon.formats.projections import KINDS, Geographic, Unknown
 from addon.formats.text.usgs_dem import read_usgs_dem
+from tests.formats.reading import assert_looked_through
 from tests.formats.usgs_dem_file import VOID, DemFile, ProfileOfHeights
 
 REAL = Path(__file__).resolve().parents[3] / "shared" / "data" / "usgs_dem" / "SainteHelens.dem"
@@ -96,6 +97,18 @@ def test_heights_in_feet_are_given_in_metres(tmp_path: Path) -> None:
     assert elevation_at(grid, 500_010.0, 4_000_020.0) == pytest.approx(100 * 0.3048, rel=1e-15)
     assert grid.georeference.vertical_unit == "ft"
     assert elevation_at(grid, 500_070.0, 4_000_080.0) is None
+
+
+@pytest.mark.parametrize("unit", [1, 2])
+@pytest.mark.parametrize("scale", [1.0, 0.1])
+def test_range_and_voids_are_known_from_the_look_at_every_height(
+    tmp_path: Path, unit: int, scale: float
+) -> None:
+    fields = {535: f"{unit:6d}", 841: DemFile().real(scale, 12)}
+    grid = read_usgs_dem(DemFile(fields=fields).write(tmp_path))
+    assert_looked_through(grid)
+    part = grid.region(Region(0, 0, 2, 2))
+    assert (part.range, part.voids) == (None, None)
 
 
 def test_a_local_datum_is_added(tmp_path: Path) -> None:

@@ -50,7 +50,17 @@ def read_esri_ascii(path: Path, progress: Progress | None = None) -> ElevationGr
         synthetic="synthetic" in path.stem.lower(),
         decoding=Decoding(KIND),
         notes=frame.notes,
+        range=_range(ascii_grid, frame.vertical_unit),
+        voids=ascii_grid.voids,
     )
+
+
+def _range(ascii_grid: EsriAscii, metres: float) -> tuple[float, float] | None:
+    """Metres."""
+    if ascii_grid.range is None:
+        return None
+    lowest, highest = ascii_grid.range
+    return lowest * metres, highest * metres
 
 
 def _georeference(path: Path, ascii_grid: EsriAscii) -> tuple[Georeference, MapFrame]:

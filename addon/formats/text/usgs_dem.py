@@ -81,6 +81,8 @@ def read_usgs_dem(path: Path, progress: Progress | None = None) -> ElevationGrid
         synthetic="SYNTHETIC" in dem.name.upper(),
         decoding=Decoding(KIND),
         notes=(*dem.notes, *datum_note),
+        range=_range(dem),
+        voids=dem.rows * dem.columns - dem.heights,
     )
 
 
@@ -125,8 +127,21 @@ def _projection(dem: UsgsDem) -> tuple[Projection, str]:
     return Unknown(), f"{dem.system} zone {dem.zone}" if dem.zone else dem.system
 
 
+def _range(dem: UsgsDem) -> tuple[float, float] | None:
+    """Metres."""
+    if dem.range is None:
+        return None
+    lowest, highest = dem.range
+    return lowest * _metres(dem), highest * _metres(dem)
+
+
+def _metres(dem: UsgsDem) -> float:
+    """Of one unit of the heights."""
+    return FOOT if dem.elevation_unit == "foot" else 1.0
+
+
 def _layout(dem: UsgsDem, georeference: Georeference) -> GridLayout:
-    metres = FOOT if dem.elevation_unit == "foot" else 1.0
+    metres = _metres(dem)
     cell_width, cell_height = georeference.cell_size(dem.rows, dem.columns)
     return GridLayout(
         dem.rows,
