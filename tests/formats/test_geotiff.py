@@ -556,7 +556,8 @@ def test_a_prj_file_beside_a_raster_without_keys_is_followed(tmp_path: Path) -> 
     (tmp_path / "grid.prj").write_text(
         'PROJCS["here",GEOGCS["x",DATUM["x",SPHEROID["WGS_1984",6378137.0,298.257223563]],'
         'PRIMEM["Greenwich",0.0],UNIT["Degree",0.0174532925199433]],PROJECTION["Transverse_Mercator"],'
-        'PARAMETER["Central_Meridian",9.0],UNIT["Foot",0.3048]]'
+        'PARAMETER["Central_Meridian",9.0],PARAMETER["Latitude_Of_Origin",0.0],'
+        'PARAMETER["Scale_Factor",1.0],UNIT["Foot",0.3048]]'
     )
     tags = {**DEGREES_ALONE, 33550: (DOUBLE, [30.0, 30.0, 0.0]), 33922: (DOUBLE, [0, 0, 0, -15, 15, 0])}
     grid = read_geotiff(TiffFile(rough(4, 5), keys={}, tags=tags).write(tmp_path))

@@ -108,7 +108,8 @@ def test_a_map_in_feet() -> None:
 )
 def test_polar_stereographic(method: str, parameter: str, side: float) -> None:
     frame = stated_frame(
-        f'PROJCS["p",{GEOGRAPHIC},PROJECTION["{method}"],PARAMETER[{parameter}],UNIT["m",1]]'
+        f'PROJCS["p",{GEOGRAPHIC},PROJECTION["{method}"],PARAMETER[{parameter}],'
+        'PARAMETER["central_meridian",0],UNIT["m",1]]'
     )
     assert frame is not None
     place = frame.projection.inverse(0.0, 0.0, frame.ellipsoid)

@@ -14,8 +14,9 @@ from pathlib import Path
 from ..body.datums import DATUM_WGS84, DATUMS
 from ..body.ellipsoid import Ellipsoid
 from ..projections import Geographic, Projection, Unknown
-from .stated_projection import stated_projection, utm
+from .stated_projection import utm
 from .wkt import MAXIMUM_LETTERS, WktError, WktNode, parse_wkt
+from .wkt_projection import projection_of_wkt
 
 BODIES = {
     "Mercury": (2.43e6, 2.45e6),
@@ -29,6 +30,9 @@ BODIES = {
 LENGTHS = {"METERS": 1.0, "METRES": 1.0, "METER": 1.0, "M": 1.0, "FEET": 1200.0 / 3937.0}
 ANGLES = {"DD": 1.0, "DS": 1.0 / 3600.0, "DM": 1.0 / 60.0, "RADIANS": math.degrees(1.0)}
 HEIGHTS = {"METERS": 1.0, "METRES": 1.0, "METER": 1.0, "M": 1.0, "NO": 1.0, "FEET": 0.3048}
+
+PARIS = 2.33722917
+"""Degrees east of Greenwich (IGN; 2.5969213 grads)."""
 
 
 @dataclass(frozen=True)
@@ -80,14 +84,16 @@ def stated_frame(text: str) -> StatedFrame | None:
 def _geographic(node: WktNode) -> StatedFrame | None:
     ellipsoid = _ellipsoid(node)
     unit = _unit(node, usual=math.radians(1.0))
-    meridian = _meridian(node)
-    if ellipsoid is None or unit is None or meridian is None:
+    if ellipsoid is None or unit is None:
         return None
     degrees = math.degrees(unit)
     # A degree is written with a dozen digits, or fewer: near enough, it is meant.
     degrees = 1.0 if math.isclose(degrees, 1.0, rel_tol=1e-6) else degrees
+    meridian = _meridian(node, degrees)
+    if meridian is None:
+        return None
     return StatedFrame(
-        _body(node, ellipsoid), ellipsoid, Geographic(), node.text(), unit=degrees, shift_x=meridian * degrees
+        _body(node, ellipsoid), ellipsoid, Geographic(), node.text(), unit=degrees, shift_x=meridian
     )
 
 
@@ -97,56 +103,18 @@ def _projected(node: WktNode) -> StatedFrame | None:
     metres = _unit(node, usual=1.0)
     if geographic is None or metres is None:
         return None
-    projection = _projection(node, geographic, metres)
+    projection = projection_of_wkt(node, geographic.ellipsoid, geographic.unit, metres, geographic.shift_x)
     notes: tuple[str, ...] = ()
     if isinstance(projection, Unknown):
         method = node.child("PROJECTION")
         stated = method.text() if method is not None else "none"
-        notes = (f"The projection {stated[:60]} is not known here: places are told in its metres.",)
+        notes = (
+            f"The projection {stated[:60]} is not known here, or not all of it is stated: "
+            "places are told in its metres.",
+        )
     return StatedFrame(
         geographic.body, geographic.ellipsoid, projection, node.text(), unit=metres, notes=notes
     )
-
-
-def _projection(node: WktNode, geographic: StatedFrame, metres: float) -> Projection:
-    """Translate method and parameters; angles to degrees, lengths to metres."""
-    method = node.child("PROJECTION")
-    name = "" if method is None else _plain(method.text())
-    given = {_plain(parameter.text()): parameter.number(1) for parameter in node.children("PARAMETER")}
-
-    def parameter(names: str, usual: float, unit: float) -> float:
-        for each in names.split():
-            value = given.get(each)
-            if value is not None and math.isfinite(value):
-                return value * unit
-        return usual
-
-    degrees = geographic.unit
-    central = parameter("centralmeridian longitudeofcenter longitudeoforigin", 0.0, degrees)
-    common = {
-        "central_longitude": central + geographic.shift_x,
-        "false_easting": parameter("falseeasting", 0.0, metres),
-        "false_northing": parameter("falsenorthing", 0.0, metres),
-        "scale_factor": parameter("scalefactor", 1.0, 1.0),
-    }
-    origin = parameter("latitudeoforigin latitudeofcenter standardparallel1", 0.0, degrees)
-    if name in {"transversemercator", "gausskruger"}:
-        return stated_projection("transverse Mercator", latitude_of_origin=origin, **common)
-    if name in {"polarstereographic", "stereographicnorthpole", "stereographicsouthpole"}:
-        true = parameter("standardparallel1 latitudeoforigin", 90.0, degrees)
-        south = name == "stereographicsouthpole" or true < 0.0
-        return stated_projection(
-            "polar stereographic",
-            latitude_of_origin=-90.0 if south else 90.0,
-            standard_parallel_1=true,
-            **common,
-        )
-    return Unknown()
-
-
-def _plain(name: str) -> str:
-    """A name as every program writes it, without underlines and in small letters."""
-    return name.replace("_", "").replace(" ", "").lower()
 
 
 def _ellipsoid(node: WktNode) -> Ellipsoid | None:
@@ -167,11 +135,16 @@ def _unit(node: WktNode, usual: float) -> float | None:
     return value if value is not None and 1e-9 <= value <= 1e9 else None
 
 
-def _meridian(node: WktNode) -> float | None:
-    """Where longitudes are counted from, in the system's own unit."""
+def _meridian(node: WktNode, degrees: float) -> float | None:
+    """Degrees east of Greenwich that longitudes are counted from.
+
+    They are stated in the system's own unit; but GDAL and Esri state Paris in degrees beside grads.
+    """
     prime = node.child("PRIMEM")
     value = 0.0 if prime is None else prime.number(1)
-    return value if value is not None and abs(value) <= 1e6 else None
+    if value is None or not abs(value) <= 1e6:
+        return None
+    return value if math.isclose(value, PARIS, abs_tol=1e-5) else value * degrees
 
 
 def _body(node: WktNode, ellipsoid: Ellipsoid) -> str:

@@ -8,20 +8,11 @@ file, is ``Unknown``: touch is right all the same, and no place is told wrong.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, fields
-from typing import Any
+from dataclasses import dataclass
 
-from ..projections import KINDS, Projection, Unknown
+from ..frames.stated_projection import stated_projection
+from ..projections import Projection, Unknown
 from .geokeys import GeoKeys, Key
-
-NEUTRAL = {
-    "central_longitude": 0.0,
-    "latitude_of_origin": 0.0,
-    "scale_factor": 1.0,
-    "false_easting": 0.0,
-    "false_northing": 0.0,
-}
-"""Parameters that change nothing at these values: a projection need not have them."""
 
 LONGITUDE = (
     Key.ProjNatOriginLong,
@@ -117,7 +108,7 @@ def projection_of_keys(keys: GeoKeys, degrees: float, metres: float) -> tuple[Pr
         _with_two_parallels(code, parameters)
     if any(name not in parameters for name in NEEDED.get(kind, ())):
         return Unknown(), kind
-    return made(kind, parameters), kind
+    return stated_projection(kind, parameters), kind
 
 
 def _about_a_pole(kind: str, parameters: dict[str, float]) -> str:
@@ -137,25 +128,6 @@ def _with_two_parallels(code: int, parameters: dict[str, float]) -> None:
         parameters["standard_parallel_1"] = parameters["latitude_of_origin"]
     if "standard_parallel_1" in parameters:
         parameters.setdefault("standard_parallel_2", parameters["standard_parallel_1"])
-
-
-def made(kind: str, parameters: dict[str, float]) -> Projection:
-    """Make a projection; ``Unknown`` where there is none such, or none with these parameters."""
-    known = {name.lower(): found for name, found in KINDS.items()}
-    found = known.get(kind.lower())
-    if found is None:
-        return Unknown()
-    names = {field.name for field in fields(found)}  # type: ignore[arg-type]
-    chosen: dict[str, Any] = {}
-    for name, value in parameters.items():
-        if name in names:
-            chosen[name] = value
-        elif value != NEUTRAL.get(name):
-            return Unknown()
-    try:
-        return found(**chosen)
-    except (TypeError, ValueError):  # a parameter that the file lacks, or that no map can have
-        return Unknown()
 
 
 def projection_of_code(code: int) -> ProjectedCode | None:
@@ -198,7 +170,7 @@ def _transverse(
         "false_easting": easting,
         "false_northing": northing,
     }
-    return made("transverse Mercator", parameters)
+    return stated_projection("transverse Mercator", parameters)
 
 
 def _polar(latitude: float, longitude: float) -> Projection:
@@ -207,7 +179,7 @@ def _polar(latitude: float, longitude: float) -> Projection:
         "standard_parallel_1": latitude,
         "central_longitude": longitude,
     }
-    return made(POLAR_STEREOGRAPHIC, parameters)
+    return stated_projection(POLAR_STEREOGRAPHIC, parameters)
 
 
 _CODES = {
@@ -220,7 +192,7 @@ _CODES = {
     2154: ProjectedCode(
         "RGF93 / Lambert-93",
         4171,
-        made(
+        stated_projection(
             CONFORMAL_CONIC,
             {
                 "standard_parallel_1": 49.0,
@@ -235,11 +207,11 @@ _CODES = {
     3031: ProjectedCode("WGS 84 / Antarctic Polar Stereographic", 4326, _polar(-71.0, 0.0)),
     3413: ProjectedCode("WGS 84 / NSIDC Sea Ice Polar Stereographic North", 4326, _polar(70.0, -45.0)),
     3995: ProjectedCode("WGS 84 / Arctic Polar Stereographic", 4326, _polar(71.0, 0.0)),
-    3857: ProjectedCode("WGS 84 / Pseudo-Mercator", 4326, made("web Mercator", {})),
+    3857: ProjectedCode("WGS 84 / Pseudo-Mercator", 4326, stated_projection("web Mercator", {})),
     3035: ProjectedCode(
         "ETRS89-extended / LAEA Europe",
         4258,
-        made(
+        stated_projection(
             EQUAL_AREA_AZIMUTHAL,
             {
                 "latitude_of_origin": 52.0,
@@ -252,7 +224,7 @@ _CODES = {
     5070: ProjectedCode(
         "NAD83 / Conus Albers",
         4269,
-        made(
+        stated_projection(
             EQUAL_AREA_CONIC,
             {
                 "standard_parallel_1": 29.5,
