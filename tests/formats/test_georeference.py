@@ -97,7 +97,7 @@ def test_cells_of_planetocentric_degrees_are_measured_on_the_ellipsoid() -> None
         )
         return radius * math.cos(math.radians(latitude)), radius * math.sin(math.radians(latitude))
 
-    width, height = place.cell_size(3)
+    width, height = place.cell_size(3, 8)
     assert width == pytest.approx(math.radians(step) * on_ellipse(middle)[0], rel=1e-9)
     ends = on_ellipse(middle + step), on_ellipse(middle - step)
     assert height == pytest.approx(math.dist(*ends) / 2.0, rel=1e-7)
