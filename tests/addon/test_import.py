@@ -99,7 +99,7 @@ def test_the_dialog_reads_a_refused_label_once_and_again_when_it_is_mended(
 ) -> None:
     header, reads = module("terrain.prepare"), []
 
-    def noted(path: Path, _position: object = None) -> object:
+    def noted(path: Path, *_arguments: object) -> object:
         reads.append(path)
         return module("formats").read_grid(path)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from contextlib import AbstractContextManager, nullcontext
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 from addon.formats import FormatError, Region, read_grid
+from addon.formats.decoding import Decoding
 from addon.formats.through_rasterio import rasterio_library
 from tests.formats.megdr_pair import rough
 from tests.formats.reading import complaint, heights
@@ -108,6 +109,17 @@ def test_regions_are_read_alone_also_across_the_seam(file: Path, monkeypatch: py
     assert grid.georeference.ellipsoid.semi_major == 1_737_400
     part = heights(grid.region(Region(6, 1, 4, 3)))
     assert part == [[source.values[row, column % 8] for column in range(6, 10)] for row in range(1, 4)]
+
+
+@pytest.mark.parametrize("place", [(8, 0), (-1, 0), (0, 1), (10**12, 0), (0, -1)])
+def test_a_region_that_is_not_on_the_raster_is_told(
+    file: Path, monkeypatch: pytest.MonkeyPatch, place: tuple[int, int]
+) -> None:
+    use(monkeypatch, StandIn())
+    grid = read_grid(file)
+    assert grid.layout.columns == 8
+    with pytest.raises(FormatError, match="are not on its 8 x"):
+        replace(grid, decoding=Decoding("rasterio", *place)).open()
 
 
 def test_void_factor_and_offset(file: Path, monkeypatch: pytest.MonkeyPatch) -> None:

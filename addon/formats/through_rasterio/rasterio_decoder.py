@@ -22,10 +22,11 @@ def decode_through_rasterio(
     rasterio = rasterio_module()
     if rasterio is None:
         raise OSError("rasterio, which read this file before, is not installed any more")
-    samples = bytearray(layout.samples * SAMPLE_BYTES[layout.sample])
     row_bytes = layout.columns * SAMPLE_BYTES[layout.sample]
     try:
         with open_raster(rasterio, path) as source:
+            _check_region(source, layout, decoding)
+            samples = bytearray(layout.rows * row_bytes)
             _, asked = SAMPLES[str(source.dtypes[0])]
             for row in range(0, layout.rows, ROWS_AT_ONCE):
                 rows = min(ROWS_AT_ONCE, layout.rows - row)
@@ -36,6 +37,19 @@ def decode_through_rasterio(
     except rasterio.errors.RasterioError as error:
         raise OSError(first_line(error)) from error
     return Grid.from_buffer(samples, layout)
+
+
+def _check_region(source: Any, layout: GridLayout, decoding: Decoding) -> None:
+    """Refuse what is not on the raster, before there is room for it in memory."""
+    fits = (
+        0 <= decoding.first_column < source.width >= layout.columns
+        and 0 <= decoding.first_row <= source.height - layout.rows
+    )
+    if not fits:
+        raise OSError(
+            f"{layout.columns} columns from {decoding.first_column} and {layout.rows} rows from "
+            f"{decoding.first_row} are not on its {source.width} x {source.height} samples"
+        )
 
 
 def _columns(source: Any, asked: str, decoding: Decoding, row: int, rows: int, columns: int) -> list[bytes]:
