@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from contextlib import AbstractContextManager, nullcontext
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -14,6 +14,7 @@ from proxygraph import CancelledError, Progress
 
 from addon.formats import FormatError, Region, read_grid
 from addon.formats.cache import SUFFIX, cache
+from addon.formats.decoding import Decoding
 from addon.formats.through_rasterio import rasterio_library
 from addon.formats.unfinished import unfinished_file
 from tests.formats.megdr_pair import rough
@@ -176,6 +177,17 @@ def test_latitudes_on_an_ellipsoid_are_of_its_vertical(
     crs = SimpleNamespace(is_geographic=True, to_string=lambda: "x", to_wkt=lambda: "x", to_dict=lambda: axes)
     use(monkeypatch, StandIn(crs=crs))
     assert read_grid(file).georeference.latitude_kind == kind
+
+
+@pytest.mark.parametrize("place", [(8, 0), (-1, 0), (0, 1), (10**12, 0), (0, -1)])
+def test_a_region_that_is_not_on_the_raster_is_told(
+    file: Path, monkeypatch: pytest.MonkeyPatch, place: tuple[int, int]
+) -> None:
+    use(monkeypatch, StandIn())
+    grid = read_grid(file)
+    assert grid.layout.columns == 8
+    with pytest.raises(FormatError, match="are not on its 8 x"):
+        replace(grid, decoding=Decoding("rasterio", *place)).open()
 
 
 def test_void_factor_and_offset(file: Path, monkeypatch: pytest.MonkeyPatch) -> None:

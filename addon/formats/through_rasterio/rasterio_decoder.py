@@ -46,6 +46,7 @@ def _rows(
     """
     try:
         with open_raster(rasterio, path) as source:
+            _check_region(source, layout, decoding)
             _, asked = SAMPLES[str(source.dtypes[0])]
             for row in range(0, layout.rows, ROWS_AT_ONCE):
                 rows = min(ROWS_AT_ONCE, layout.rows - row)
@@ -54,6 +55,19 @@ def _rows(
                     progress.step(row + rows, layout.rows)
     except rasterio.errors.RasterioError as error:
         raise OSError(first_line(error)) from error
+
+
+def _check_region(source: Any, layout: GridLayout, decoding: Decoding) -> None:
+    """Refuse what is not on the raster, before there is room for it in memory."""
+    fits = (
+        0 <= decoding.first_column < source.width >= layout.columns
+        and 0 <= decoding.first_row <= source.height - layout.rows
+    )
+    if not fits:
+        raise OSError(
+            f"{layout.columns} columns from {decoding.first_column} and {layout.rows} rows from "
+            f"{decoding.first_row} are not on its {source.width} x {source.height} samples"
+        )
 
 
 def _columns(source: Any, asked: str, decoding: Decoding, row: int, rows: int, columns: int) -> list[bytes]:
