@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from addon.formats.body.bodies import BODIES, ELLIPSOIDS, body_named, body_of, ellipsoid_named
+from addon.formats.body.bodies import BODIES, ELLIPSOIDS, body_in, body_of, body_told, ellipsoid_named
 from addon.formats.body.ellipsoid import Ellipsoid
 
 
@@ -31,22 +31,22 @@ def test_datums_are_found_however_they_are_written(name: str, semi_major: float)
 
 
 def test_bodies_are_found_in_any_case() -> None:
-    mars = body_named(" MARS")
+    mars = body_in(" MARS")
     assert mars is not None
     assert mars.ellipsoid == Ellipsoid(3396190.0, 3376200.0)
-    moon = body_named("moon")
+    moon = body_in("moon")
     assert moon is not None
     assert moon.ellipsoid.is_sphere
 
 
 def test_what_is_not_known_is_not_guessed() -> None:
     for name in ("", "D_", "Arrakis", "WGS"):
-        assert body_named(name) is None
+        assert body_in(name) is None
         assert ellipsoid_named(name) is None
 
 
 def test_no_name_is_given_twice() -> None:
-    for shapes, find in ((BODIES, body_named), (ELLIPSOIDS, ellipsoid_named)):
+    for shapes, find in ((BODIES, body_in), (ELLIPSOIDS, ellipsoid_named)):
         for shape in shapes:
             assert shape.source
             assert shape.ellipsoid.semi_minor <= shape.ellipsoid.semi_major
@@ -60,3 +60,12 @@ def test_a_radius_tells_the_body() -> None:
     assert body_of(Ellipsoid.sphere(1737400.0)) == "Moon"
     assert body_of(Ellipsoid.sphere(1.0)) == ""
     assert body_of(Ellipsoid.sphere(2425000.0)) == ""  # between Callisto and Mercury
+
+
+def test_names_are_believed_before_sizes() -> None:
+    assert body_told("GCS_Moon_2000", Ellipsoid.sphere(3396000.0)) == "Moon"
+    assert body_told("lunar sphere", Ellipsoid.sphere(1.0)) == "Moon"
+    assert body_told("D_Vesta", Ellipsoid.sphere(255000.0)) == "Vesta"
+    assert body_told("Marseille", Ellipsoid.sphere(1.0)) == ""
+    assert body_told("ratio of Io2000", Ellipsoid.sphere(1.0)) == "Io"
+    assert body_told("nameless", Ellipsoid.sphere(2575000.0)) == "Titan"

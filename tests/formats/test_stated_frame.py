@@ -134,6 +134,13 @@ def test_keywords_as_of_gtopo30() -> None:
     assert (frame.ellipsoid, frame.unit, frame.vertical_unit) == (WGS84, 1.0, 1.0)
 
 
+def test_keywords_of_other_datums() -> None:
+    frame = stated_frame("Projection GEOGRAPHIC\nDatum ED50\nUnits DD\n")
+    assert frame is not None
+    assert frame.ellipsoid.semi_major == 6_378_388.0
+    assert stated_frame("Projection GEOGRAPHIC\nDatum ARRAKIS\nUnits DD\n") is None
+
+
 def test_keywords_of_utm_in_feet() -> None:
     frame = stated_frame(
         "projection utm\nzone 10\nspheroid clarke1866\nunits feet\nzunits feet\nparameters\n"

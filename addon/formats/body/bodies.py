@@ -9,6 +9,7 @@ Snyder: "Map Projections: A Working Manual" (USGS Professional Paper 1395, 1987)
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 
 from .ellipsoid import Ellipsoid
@@ -16,6 +17,8 @@ from .ellipsoid import Ellipsoid
 IAU = "IAU 2015"
 DMA = "DMA TR 8350.2"
 SNYDER = "USGS Professional Paper 1395, table 1"
+
+_WORD = re.compile(r"[a-z]+")
 
 
 @dataclass(frozen=True)
@@ -30,9 +33,20 @@ class KnownShape:
     """How files write it too; case, spaces and marks between words do not matter."""
 
 
-def body_named(name: str) -> KnownShape | None:
-    """The shape of a body; ``None`` where it is not known here."""
-    return _BODIES.get(_plain(name))
+def body_in(text: str) -> KnownShape | None:
+    """The shape of the first body of which a text speaks by a word of its own; ``None``: of none."""
+    words = _WORD.findall(text.casefold())
+    return next((_BODIES[word] for word in words if word in _BODIES), None)
+
+
+def body_told(text: str, ellipsoid: Ellipsoid) -> str:
+    """The name of the body of which a text speaks, else of one of this size; empty where nobody can tell."""
+    shape = body_in(text)
+    if shape is not None:
+        return shape.body
+    words = _WORD.findall(text.casefold())
+    irregular = next((name for name in IRREGULAR if name.casefold() in words), None)
+    return irregular or body_of(ellipsoid)
 
 
 def ellipsoid_named(name: str) -> KnownShape | None:
@@ -63,7 +77,7 @@ BODIES = (
     _body("Venus", 6051800.0),
     # Grids of Earth speak of WGS84, and the IAU's ellipsoid is 0.4 m smaller.
     KnownShape("Earth", Ellipsoid.flattened(6378137.0, 298.257223563), DMA, "Earth"),
-    KnownShape("Moon", Ellipsoid.sphere(1737400.0), IAU, "Moon", ("Luna",)),
+    KnownShape("Moon", Ellipsoid.sphere(1737400.0), IAU, "Moon", ("Luna", "Lunar")),
     _body("Mars", 3396190.0, 3376200.0),
     _body("Phobos", 11080.0),
     _body("Deimos", 6200.0),
@@ -88,6 +102,9 @@ BODIES = (
     _body("Charon", 606000.0),
 )
 """Planets, moons and dwarf planets that have been mapped."""
+
+IRREGULAR = ("Vesta", "Eros")
+"""Mapped too, but no ellipsoids: a map states the shape that it is drawn on."""
 
 ELLIPSOIDS = (
     _earth(

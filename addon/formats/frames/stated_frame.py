@@ -9,23 +9,14 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
-from pathlib import Path
 
+from ..body.bodies import body_told, ellipsoid_named
 from ..body.datums import DATUM_WGS84, DATUMS
 from ..body.ellipsoid import Ellipsoid
 from ..projections import Geographic, Projection, Unknown
 from .stated_projection import utm
-from .wkt import MAXIMUM_LETTERS, WktError, WktNode, parse_wkt
+from .wkt import WktError, WktNode, parse_wkt
 from .wkt_projection import projection_of_wkt
-
-BODIES = {
-    "Mercury": (2.43e6, 2.45e6),
-    "Venus": (6.04e6, 6.06e6),
-    "Earth": (6.3e6, 6.4e6),
-    "Moon": (1.73e6, 1.75e6),
-    "Mars": (3.37e6, 3.4e6),
-}
-"""Metres between which the semi-major axis is."""
 
 LENGTHS = {"METERS": 1.0, "METRES": 1.0, "METER": 1.0, "M": 1.0, "FEET": 1200.0 / 3937.0}
 ANGLES = {"DD": 1.0, "DS": 1.0 / 3600.0, "DM": 1.0 / 60.0, "RADIANS": math.degrees(1.0)}
@@ -53,16 +44,6 @@ class StatedFrame:
     """Metres for one unit of height."""
     notes: tuple[str, ...] = ()
     """What a person should know."""
-
-
-def read_stated_frame(path: Path) -> StatedFrame | None:
-    """Follow a ``.prj`` file; ``None`` where it cannot be read, or not be followed."""
-    try:
-        with path.open("rb") as file:
-            text = file.read(MAXIMUM_LETTERS).decode("latin-1")
-    except OSError:
-        return None
-    return stated_frame(text)
 
 
 def stated_frame(text: str) -> StatedFrame | None:
@@ -150,10 +131,7 @@ def _meridian(node: WktNode, degrees: float) -> float | None:
 def _body(node: WktNode, ellipsoid: Ellipsoid) -> str:
     """The body that the names speak of, else one of this size."""
     datum = node.child("DATUM")
-    words = f"{node.text()} {datum.text() if datum is not None else ''}".upper()
-    named = next((body for body in BODIES if body.upper() in words), None)
-    sizes = (body for body, (least, most) in BODIES.items() if least <= ellipsoid.semi_major <= most)
-    return named or next(sizes, "")
+    return body_told(f"{node.text()} {datum.text() if datum is not None else ''}", ellipsoid)
 
 
 def _of_keywords(text: str) -> StatedFrame | None:
@@ -195,5 +173,8 @@ def _stated_datum(words: Mapping[str, str]) -> tuple[str, Ellipsoid] | None:
             known = DATUMS.get(words[keyword].replace("_", "").replace(" ", ""))
             if known is not None:
                 return known.name, known.ellipsoid
+            shape = ellipsoid_named(words[keyword])
+            if shape is not None:
+                return shape.name, shape.ellipsoid
     is_stated = "DATUM" in words or "SPHEROID" in words
     return None if is_stated else (DATUM_WGS84.name, DATUM_WGS84.ellipsoid)

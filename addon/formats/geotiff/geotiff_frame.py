@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import math
-import re
 from dataclasses import dataclass, replace
 
+from ..body.bodies import body_in, body_told
 from ..body.ellipsoid import Ellipsoid
 from ..frames.map_frame import MapFrame
 from ..projections import Geographic, Projection, Unknown
@@ -31,22 +31,6 @@ PROJECTED, GEOGRAPHIC, GEOCENTRIC = 1, 2, 3
 
 PIXEL_IS_POINT = 2
 """Value of GTRasterType."""
-
-BODIES = (
-    *("Mercury", "Venus", "Earth", "Moon", "Mars", "Phobos", "Deimos", "Ceres", "Vesta", "Eros"),
-    *("Io", "Europa", "Ganymede", "Callisto", "Mimas", "Enceladus", "Tethys", "Dione", "Rhea", "Titan"),
-    *("Iapetus", "Triton", "Pluto", "Charon"),
-)
-"""Names that are looked for in citations."""
-
-RADII = {
-    "Mercury": (2.43e6, 2.45e6),
-    "Venus": (6.05e6, 6.053e6),
-    "Earth": (6.35e6, 6.40e6),
-    "Moon": (1.735e6, 1.739e6),
-    "Mars": (3.37e6, 3.40e6),
-}
-"""Metres: semi-major axes that leave no doubt."""
 
 LARGEST_BODY = 1e9
 """Metres: more than any body has."""
@@ -119,7 +103,7 @@ def frame_of(tags: Tags) -> Frame:
     horizontal = _horizontal(keys, notes)
     vertical, unit, metres = _vertical(keys, notes)
     return Frame(
-        body=_body(citation, horizontal.ellipsoid if horizontal.is_stated else None),
+        body=body_told(citation, horizontal.ellipsoid) if horizontal.is_stated else _named(citation),
         ellipsoid=horizontal.ellipsoid,
         projection=horizontal.projection,
         metres_or_degrees=horizontal.unit,
@@ -241,14 +225,10 @@ def _stated_ellipsoid(keys: GeoKeys) -> Ellipsoid | None:
     return ellipsoid
 
 
-def _body(citation: str, ellipsoid: Ellipsoid | None) -> str:
-    """Find the body by its name, else by its size where one is stated."""
-    words = re.split(r"[^a-z]+", citation.lower())
-    named = next((body for body in BODIES if body.lower() in words), None)
-    if named is not None or ellipsoid is None:
-        return named or ""
-    by_size = (body for body, (least, most) in RADII.items() if least <= ellipsoid.semi_major <= most)
-    return next(by_size, "")
+def _named(citation: str) -> str:
+    """The body by its name alone, for keys that state no size."""
+    shape = body_in(citation)
+    return "" if shape is None else shape.body
 
 
 def _degrees(keys: GeoKeys) -> float:

@@ -9,6 +9,7 @@ from __future__ import annotations
 from dataclasses import replace
 from pathlib import Path
 
+from ..body.bodies import body_in
 from ..body.datums import WGS84
 from ..body.ellipsoid import Ellipsoid
 from ..elevation_grid import ElevationGrid
@@ -39,15 +40,6 @@ DATA_TYPES: dict[int, RawSample] = {
 
 UNKNOWN_STEP = 1.0
 """Metres between samples of a file without ``map info``."""
-
-BODIES = (
-    ("MARS", "Mars", 3_396_190.0),
-    ("MOON", "Moon", 1_737_400.0),
-    ("LUNAR", "Moon", 1_737_400.0),
-    ("MERCURY", "Mercury", 2_439_400.0),
-    ("VENUS", "Venus", 6_051_800.0),
-)
-"""Names that a datum may have; radii of the IAU's reports on cartographic coordinates (2015), metres."""
 
 
 def read_envi(header_path: Path, data_path: Path | None = None) -> ElevationGrid:
@@ -171,12 +163,13 @@ def _frame(header: EnviHeader, positional: list[str]) -> MapFrame:
         return frame
     name = positional[0].lower()
     words = f"{' '.join(positional)} {told}".upper()
-    body = next(((title, radius) for word, title, radius in BODIES if word in words), None)
+    shape = body_in(words)
+    body = None if shape is None or shape.body == "Earth" else shape
     if name.startswith("geographic"):
         if body is not None:
             return MapFrame(
-                body[0],
-                Ellipsoid.sphere(body[1]),
+                body.name,
+                Ellipsoid.sphere(body.ellipsoid.semi_major),
                 Geographic(),
                 vertical_reference="not stated",
                 latitude_kind="planetocentric",
@@ -190,8 +183,8 @@ def _frame(header: EnviHeader, positional: list[str]) -> MapFrame:
         return utm
     note = f"The projection {positional[0]} is not understood: places are given in the map's metres only."
     return MapFrame(
-        body[0] if body else "",
-        Ellipsoid.sphere(body[1]) if body else WGS84,
+        body.name if body else "",
+        Ellipsoid.sphere(body.ellipsoid.semi_major) if body else WGS84,
         Unknown(),
         vertical_reference="not stated",
         notes=(note,),
