@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import bpy
 from proxygraph import SessionError
 
-from ..touch.live import live
+from ..touch.live import Touch, live
 from ..touch.stylus import press, release, twist
 from .operator_status import OperatorStatus
 
@@ -28,14 +30,7 @@ class HAPTIC_TERRAIN_OT_press(bpy.types.Operator):
 
     def execute(self, context: bpy.types.Context) -> OperatorStatus:
         """Press."""
-        if live.touch is None:
-            return {"CANCELLED"}
-        try:
-            press(live.touch)
-        except SessionError as error:
-            self.report({"ERROR"}, str(error))
-            return {"CANCELLED"}
-        return {"FINISHED"}
+        return _told(self, press)
 
 
 class HAPTIC_TERRAIN_OT_release(bpy.types.Operator):
@@ -56,14 +51,7 @@ class HAPTIC_TERRAIN_OT_release(bpy.types.Operator):
 
     def execute(self, context: bpy.types.Context) -> OperatorStatus:
         """Release."""
-        if live.touch is None:
-            return {"CANCELLED"}
-        try:
-            release(live.touch)
-        except SessionError as error:
-            self.report({"ERROR"}, str(error))
-            return {"CANCELLED"}
-        return {"FINISHED"}
+        return _told(self, release)
 
 
 class HAPTIC_TERRAIN_OT_twist(bpy.types.Operator):
@@ -91,14 +79,19 @@ class HAPTIC_TERRAIN_OT_twist(bpy.types.Operator):
 
     def execute(self, context: bpy.types.Context) -> OperatorStatus:
         """Twist."""
-        if live.touch is None:
-            return {"CANCELLED"}
-        try:
-            twist(live.touch, self.degrees)
-        except (ValueError, SessionError) as error:
-            self.report({"ERROR"}, str(error))
-            return {"CANCELLED"}
-        return {"FINISHED"}
+        return _told(self, lambda touch: twist(touch, self.degrees))
+
+
+def _told(operator: bpy.types.Operator, act: Callable[[Touch], None]) -> OperatorStatus:
+    """Act on the touch that runs, and report what refuses it."""
+    if live.touch is None:
+        return {"CANCELLED"}
+    try:
+        act(live.touch)
+    except (ValueError, SessionError) as error:
+        operator.report({"ERROR"}, str(error))
+        return {"CANCELLED"}
+    return {"FINISHED"}
 
 
 def _has_modes(cls: type[bpy.types.Operator]) -> bool:

@@ -17,8 +17,6 @@ STRETCH = 1e-6
 TRUE_TO_SCALE = 0.01
 """Scales as near to 1 count as 1: a cell of 30 m on a UTM map, 0.04% off, is called one of 30 m."""
 
-TRUE: tuple[float, float] = (1.0, 1.0)
-
 
 def map_scale(projection: Projection, ellipsoid: Ellipsoid, place: Coordinates) -> tuple[float, float]:
     """Metres of the map for one of ground, along its x and along its y; 1 where the map cannot tell.
