@@ -10,7 +10,9 @@ pub use geotiff::GeoTiff;
 pub use raw_samples::RawSamples;
 pub use usgs_dem::UsgsDem;
 
-use crate::errors::grid_error;
+use crate::errors::{grid_error, value_error};
+use crate::grid::{Grid, GridLayout};
+use crate::numbers::Whole;
 use pyo3::create_exception;
 use pyo3::exceptions::{PyException, PyOSError};
 use pyo3::prelude::*;
@@ -66,6 +68,29 @@ impl Progress {
     fn step(&self, done: u64, all: u64) -> PyResult<()> {
         self.progress.step(done, all).map_err(decode_refusal)
     }
+}
+
+/// Decodes a region of the layout's size without the interpreter; `decode` takes the layout, the region's
+/// first column and row, and the progress.
+fn decoded(
+    py: Python<'_>,
+    layout: &GridLayout,
+    (first_column, first_row): (Whole, Whole),
+    progress: Option<&Progress>,
+    decode: impl FnOnce(
+        surface::GridLayout,
+        u32,
+        u32,
+        &decode::Progress,
+    ) -> Result<surface::Grid, decode::DecodeError>
+    + Send,
+) -> PyResult<Grid> {
+    let column = first_column.unsigned("first_column").map_err(value_error)?;
+    let row = first_row.unsigned("first_row").map_err(value_error)?;
+    let unseen = Progress::default();
+    let (layout, progress) = (layout.plain(), progress.unwrap_or(&unseen).shared());
+    let grid = py.detach(|| decode(layout, column, row, progress)).map_err(decode_refusal)?;
+    Ok(Grid::of(grid))
 }
 
 /// What a decoder says, as the contract's exceptions.

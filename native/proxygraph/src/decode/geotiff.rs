@@ -1,7 +1,6 @@
 //! GeoTIFF files.
 
-use super::{Progress, decode_refusal};
-use crate::errors::value_error;
+use super::{Progress, decode_refusal, decoded};
 use crate::grid::{Grid, GridLayout, byte_order_name, sample_name};
 use crate::numbers::Whole;
 use ::decode::geotiff;
@@ -116,17 +115,9 @@ impl GeoTiff {
         progress: Option<&Progress>,
         cache: Option<PathBuf>,
     ) -> PyResult<Grid> {
-        let window = geotiff::Window {
-            first_column: first_column.unsigned("first_column").map_err(value_error)?,
-            first_row: first_row.unsigned("first_row").map_err(value_error)?,
-            south_up,
-            fill,
-        };
-        let unseen = Progress::default();
-        let progress = progress.unwrap_or(&unseen).shared();
-        let grid = py
-            .detach(|| self.tiff.decode(layout.plain(), &window, cache.as_deref(), progress))
-            .map_err(decode_refusal)?;
-        Ok(Grid::of(grid))
+        decoded(py, layout, (first_column, first_row), progress, |layout, column, row, progress| {
+            let window = geotiff::Window { first_column: column, first_row: row, south_up, fill };
+            self.tiff.decode(layout, &window, cache.as_deref(), progress)
+        })
     }
 }

@@ -1,6 +1,6 @@
 //! Copies out of raw samples that cannot be used where they lie.
 
-use super::{Progress, decode_refusal};
+use super::{Progress, decoded};
 use crate::errors::value_error;
 use crate::grid::{Grid, GridLayout, byte_order_named};
 use crate::numbers::Whole;
@@ -78,11 +78,8 @@ impl RawSamples {
         progress: Option<&Progress>,
         cache: Option<PathBuf>,
     ) -> PyResult<Grid> {
-        let column = first_column.unsigned("first_column").map_err(value_error)?;
-        let row = first_row.unsigned("first_row").map_err(value_error)?;
-        let unseen = Progress::default();
-        let (progress, layout) = (progress.unwrap_or(&unseen).shared(), layout.plain());
-        let copy = || self.samples.decode(&path, layout, column, row, progress, cache.as_deref());
-        Ok(Grid::of(py.detach(copy).map_err(decode_refusal)?))
+        decoded(py, layout, (first_column, first_row), progress, |layout, column, row, progress| {
+            self.samples.decode(&path, layout, column, row, progress, cache.as_deref())
+        })
     }
 }

@@ -1,7 +1,6 @@
 //! USGS digital elevation models as text.
 
-use super::{Progress, decode_refusal};
-use crate::errors::value_error;
+use super::{Progress, decode_refusal, decoded};
 use crate::grid::{Grid, GridLayout, sample_name};
 use crate::numbers::Whole;
 use ::decode::usgs_dem::{self, System, Unit};
@@ -141,14 +140,9 @@ impl UsgsDem {
         progress: Option<&Progress>,
         cache: Option<PathBuf>,
     ) -> PyResult<Grid> {
-        let column = first_column.unsigned("first_column").map_err(value_error)?;
-        let row = first_row.unsigned("first_row").map_err(value_error)?;
-        let unseen = Progress::default();
-        let progress = progress.unwrap_or(&unseen).shared();
-        let grid = py
-            .detach(|| self.dem.decode(layout.plain(), column, row, progress, cache.as_deref()))
-            .map_err(decode_refusal)?;
-        Ok(Grid::of(grid))
+        decoded(py, layout, (first_column, first_row), progress, |layout, column, row, progress| {
+            self.dem.decode(layout, column, row, progress, cache.as_deref())
+        })
     }
 }
 
