@@ -7,6 +7,7 @@
 #   make demo BLENDER=path    run the demo in this Blender (4.2 to 5.2) instead of the bpy module
 #   make test ARGS='-k ...'   hand arguments to pytest
 #   make bench-servo ARGS='--seconds 5'    measure lateness for less than 30 s by condition
+#   make test-native PROPTEST_RNG_SEED=7    try the properties on other random cases
 #   make test BPY=4.2.23      test with another release of the bpy module (one for this Python)
 
 SHELL := bash
@@ -140,6 +141,9 @@ test: test-native test-python ## Run every test
 .PHONY: test-python
 test-python: cargo $(NATIVE) $(SAMPLE) ## Run the Python tests: native module, add-on, build
 	@$(IN_BUILD) $(BIN)/python -m pytest $(ARGS)
+
+# The same random cases every time, so that a change that fails is a change that broke something.
+export PROPTEST_RNG_SEED ?= 2003
 
 .PHONY: test-native
 test-native: cargo ## Run the Rust tests

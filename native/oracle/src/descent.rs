@@ -1,7 +1,7 @@
 //! The steepest descent of the distance to a target over the surface.
 
-use crate::patch::Patch;
-use crate::workspace::{Vector, dot, in_workspace, length, way};
+use crate::patch::{Patch, leads_into};
+use crate::workspace::{Vector, dot, in_workspace, length, step_between, way};
 use surface::{GridPoint, Metric};
 
 /// Where less than this part of the way to the target lies in the surface, there is no telling
@@ -47,10 +47,10 @@ pub(crate) fn is_open(
     target: &GridPoint,
 ) -> bool {
     let toward = way(metric, here, target);
-    let step = [toward[0] / metric.column, toward[1] / metric.row];
+    let [u, v, _] = step_between(here, target);
     patches
         .iter()
-        .filter(|patch| stays_inside(patch, here, step))
+        .filter(|patch| leads_into(patch, here, [u, v]))
         .all(|patch| Plane::new(patch, metric).height_of(toward) > 0.0)
 }
 
@@ -66,7 +66,7 @@ fn ways_down(
     let foot = Plane::new(patch, metric).foot_of(toward);
     let step = [foot[0] / metric.column, foot[1] / metric.row];
     let mut ways = Vec::with_capacity(2);
-    if stays_inside(patch, here, step) {
+    if leads_into(patch, here, step) {
         ways.push((length(foot), step));
     } else {
         let (u, v) = patch.place_of(here);
@@ -76,19 +76,12 @@ fn ways_down(
             let side_in_workspace = in_workspace(metric, side);
             let share = dot(toward, side_in_workspace) / dot(side_in_workspace, side_in_workspace);
             let step = [share * side[0], share * side[1]];
-            if stays_inside(patch, here, step) {
+            if leads_into(patch, here, step) {
                 ways.push((share.abs() * length(side_in_workspace), step));
             }
         }
     }
     ways
-}
-
-/// Whether a step begins in the triangle, not out of it over a side that `here` lies on.
-fn stays_inside(patch: &Patch, here: &GridPoint, [u, v]: [f64; 2]) -> bool {
-    let (here_u, here_v) = patch.place_of(here);
-    let (shares, changes) = (patch.shares(here_u, here_v), patch.share_changes(u, v));
-    (0..3).all(|corner| shares[corner] > 0.0 || changes[corner] >= 0.0)
 }
 
 /// Where a step over a triangle ends, or where it leaves the triangle. An end within `rounding`

@@ -1,6 +1,7 @@
 //! The straight way through the air, and the first triangle that it meets from above.
 
-use crate::patch::{Patch, patches_at};
+use crate::patch::{Patch, leads_into, patches_at};
+use crate::workspace::step_between;
 use surface::{Grid, GridPoint};
 
 /// A hit within this part of a cell of a side or corner is on it.
@@ -42,8 +43,7 @@ struct Path {
 
 impl Path {
     fn new(from: &GridPoint, to: &GridPoint) -> Self {
-        let [columns, rows, up] = to.relative_to(from.column, from.row, from.elevation);
-        Self { from: *from, step: [columns - from.u, rows - from.v, up] }
+        Self { from: *from, step: step_between(from, to) }
     }
 
     /// Between two crossings of lines of the lattice the way is over one triangle, and how high it
@@ -55,7 +55,7 @@ impl Path {
             if left <= entered {
                 continue;
             }
-            let patch = patches_at(grid, &self.at((entered + left) / 2.0)).first().copied();
+            let patch = self.patch_between(grid, entered, left, leads_away);
             side = match patch {
                 None => Side::Unknown,
                 Some(_) if leads_away => Side::Above,
@@ -67,6 +67,16 @@ impl Path {
             (entered, leads_away) = (left, false);
         }
         Flight::Reached(side)
+    }
+
+    /// The triangle under a piece of the way. A way that leaves the surface was found open over the
+    /// triangles that it leads into ([`leads_into`]): no other one may be asked, also where rounding
+    /// puts the middle of the piece on it, as along the rim of a hole.
+    fn patch_between(&self, grid: &Grid, entered: f64, left: f64, leaves: bool) -> Option<Patch> {
+        let [u, v, _] = self.step;
+        patches_at(grid, &self.at((entered + left) / 2.0))
+            .into_iter()
+            .find(|patch| !leaves || leads_into(patch, &self.from, [u, v]))
     }
 
     /// Follows the way over one triangle: the side it is on afterwards, or where it meets it.

@@ -46,6 +46,14 @@ pub(crate) fn patches_of_cell(grid: &Grid, column: i64, row: i64) -> impl Iterat
     })
 }
 
+/// Whether a step (columns and rows) from a point of the triangle begins in it, not out of it over a
+/// side that the point lies on.
+pub(crate) fn leads_into(patch: &Patch, here: &GridPoint, [u, v]: [f64; 2]) -> bool {
+    let (here_u, here_v) = patch.place_of(here);
+    let (shares, changes) = (patch.shares(here_u, here_v), patch.share_changes(u, v));
+    (0..3).all(|corner| shares[corner] > 0.0 || changes[corner] >= 0.0)
+}
+
 impl Patch {
     /// Columns and rows from the cell's north-west sample.
     pub(crate) fn place_of(&self, point: &GridPoint) -> (f64, f64) {

@@ -6,8 +6,13 @@ pub(crate) type Vector = [f64; 3];
 
 /// The vector from one point to another.
 pub(crate) fn way(metric: &Metric, from: &GridPoint, to: &GridPoint) -> Vector {
+    in_workspace(metric, step_between(from, to))
+}
+
+/// Columns, rows and metres from one point to another.
+pub(crate) fn step_between(from: &GridPoint, to: &GridPoint) -> [f64; 3] {
     let [columns, rows, up] = to.relative_to(from.column, from.row, from.elevation);
-    in_workspace(metric, [columns - from.u, rows - from.v, up])
+    [columns - from.u, rows - from.v, up]
 }
 
 pub(crate) fn in_workspace(metric: &Metric, [columns, rows, up]: Vector) -> Vector {

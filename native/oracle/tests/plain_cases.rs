@@ -128,3 +128,20 @@ fn depth_is_told_in_parts_of_the_relief() {
     assert_eq!(depth(3.0), -0.25);
     assert_eq!(depth_below_surface(&grid, &GridPoint::new(40.0, 5.2, -1.0)), 0.0);
 }
+
+/// The rim is a diagonal: rounding must not take a way along it for one through the hole.
+#[test]
+fn a_way_along_the_rim_of_a_hole_stays_in_contact() {
+    let sample = |column, row| match (column, row) {
+        (1, 0) => f64::NAN,
+        (0, _) => 81.14722325848203,
+        _ => 40.573611629241014,
+    };
+    let grid = grid(3, 3, false, sample);
+    let metric = Metric { column: 1.0, row: 10f64.powf(-1.5367273001794666), up: 1.0 };
+    let (along, height) = (0.8975684678526161, 44.72962883317709);
+    let mut proxy = Oracle::on_surface(GridPoint::new(along, along, height));
+    let from = GridPoint::new(0.6, 0.7, 44.722290682058016);
+    proxy.follow(&grid, &metric, &from, &GridPoint::new(0.5, 0.5, 30.734448154675036), 1);
+    assert!(proxy.touches());
+}
