@@ -34,6 +34,7 @@ CLASSES: tuple[type, ...] = (
     stylus_operators.HAPTIC_TERRAIN_OT_twist,
     record_operators.HAPTIC_TERRAIN_OT_record_start,
     record_operators.HAPTIC_TERRAIN_OT_record_stop,
+    record_operators.HAPTIC_TERRAIN_OT_record_discard,
     place_operators.HAPTIC_TERRAIN_OT_go_to,
     place_operators.HAPTIC_TERRAIN_OT_show_curvature,
     place_operators.HAPTIC_TERRAIN_OT_colour_by,
