@@ -87,7 +87,7 @@ def stop_recording(context: bpy.types.Context, *, trail: bool | None = None) -> 
         options = replace(options, trails=(options.trails or DEFAULT_TRAILS) if trail else frozenset())
     ground = Ground(recording.touch.grid, recording.touch.surface)
     with progress(context) as tell, undone_on_failure():
-        take = write_take(scene, _data(recording), _placement(recording), ground, options, tell)
+        take = write_take(scene, take_data(recording), _placement(recording), ground, options, tell)
     live.recording = None
     return take
 
@@ -110,7 +110,8 @@ def _stop_playing(context: bpy.types.Context, recording: Recording) -> None:
         stop_playing(context, recording.touch.scene.find(), before)
 
 
-def _data(recording: Recording) -> TakeData:
+def take_data(recording: Recording) -> TakeData:
+    """What was recorded so far, in the form that all writers take."""
     touch, layout = recording.touch, recording.touch.grid.layout
     about = TakeAbout(
         terrain=touch.terrain.name,

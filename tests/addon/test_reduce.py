@@ -22,7 +22,7 @@ coordinate = st.floats(-1.0, 1.0, width=32)
 
 def chosen(places: Numbers, tolerance: Numbers, clear: Clear | None = None) -> list[int]:
     """Reduce; the keys are where the point was felt."""
-    found: list[int] = module("record.reduce").fewest_keys(places, places, tolerance, clear).tolist()
+    found: list[int] = module("record.reduce").fewest_keys(places, tolerance, clear).tolist()
     return found
 
 
