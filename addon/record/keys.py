@@ -18,8 +18,8 @@ LAST_FRAME = 1_048_574
 """Blender's own; later keys would never be shown."""
 
 HOVER = 0.1
-"""Share of the bound by which reduced keys are held above the ground: lines between keys that lie on rough ground
-would cut through it, and every roughness would need a key."""
+"""Share of the bound by which reduced keys are held above the ground: lines between keys that lie on rough
+ground would cut through it, and every roughness would need a key."""
 
 SHARE = 0.01
 """Of the largest force and depth: how far reduced keys may be from them."""
@@ -94,7 +94,7 @@ def take_keys(
         room = np.maximum((1.0 - HOVER) * room - 0.5 * CLEARANCE * view.rounding(points), 0.0)
 
         def clear(asked: Numbers) -> npt.NDArray[np.bool_]:
-            return view.missing(asked, highest, 0.5 * CLEARANCE) == 0.0
+            return np.asarray(view.missing(asked, highest, 0.5 * CLEARANCE) == 0.0)
 
         shown = points.astype(np.float64)
         location = _in_runs(held, lambda run: fewest_keys(shown[run], room[run], clear), tell)

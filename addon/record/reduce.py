@@ -17,7 +17,7 @@ import numpy.typing as npt
 from .take_data import Numbers
 
 BEAM = 16
-"""Frames from which the search goes on. What has no more than these frames has the fewest keys for certain."""
+"""Frames from which the search goes on. A way of no more frames has the fewest keys for certain."""
 
 FIRST_LOOK = 64
 """Frames ahead that are looked at first; twice as many each time where lines may lead farther."""
@@ -35,7 +35,7 @@ def fewest_keys(places: Numbers, tolerance: Numbers, clear: Clear | None = None)
     Args:
         places: the value that a key at each frame would have, n x d, rounded as it will be kept.
         tolerance: how far the value at each frame may be from that without a key, n.
-        clear: what must also hold at every frame; a frame where its own key does not hold gets it nevertheless.
+        clear: what must also hold at every frame without a key.
     """
     count = len(places)
     if count <= 2:
@@ -82,8 +82,8 @@ def _reachable(
 def _candidates(places: Numbers, tolerance: Numbers, first: int) -> npt.NDArray[np.intp]:
     """Find the frames to which a line may lead, by a quick look along each axis by itself.
 
-    A line from the first frame has a slope; each frame that it passes allows slopes between two bounds, and all
-    of them those between the highest lower and the lowest upper bound.
+    A line from the first frame has a slope; each frame that it passes allows slopes between two bounds, and
+    all of them those between the highest lower and the lowest upper bound.
     """
     ends: list[npt.NDArray[np.intp]] = [np.array([first + 1])]
     low = np.full(places.shape[1], -np.inf)

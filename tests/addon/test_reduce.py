@@ -88,7 +88,9 @@ def test_no_choice_is_smaller_over_a_ground_that_buries(places: Numbers, bound: 
 @settings(max_examples=60, deadline=None)
 def test_a_long_way_stays_within_its_bound_at_every_frame(seed: int, count: int, bound: float) -> None:
     random = np.random.default_rng(seed)
-    places = np.cumsum(random.normal(size=(count, 3)) * random.choice([0.0, 0.01, 0.3], size=(count, 1)), axis=0)
+    places = np.cumsum(
+        random.normal(size=(count, 3)) * random.choice([0.0, 0.01, 0.3], size=(count, 1)), axis=0
+    )
     tolerance = bound * random.uniform(0.5, 2.0, size=count)
     frames = chosen(places, tolerance)
     assert frames == sorted(set(frames))

@@ -81,7 +81,7 @@ def curve_seconds(touch: Any, data: Any, terrain: Any) -> dict[str, float]:
     """Time the curves of a minute at the scene's rate: the demo's way again and again."""
     import bpy
 
-    scene = bpy.context.scene
+    scene: Any = bpy.context.scene
     again = np.arange(MINUTE) % len(data)
     columns = {name: values[again] for name, values in data.columns.items()}
     columns["time"] = np.arange(MINUTE) / data.about.rate
@@ -99,7 +99,8 @@ def reduced(touch: Any, data: Any, terrain: Any) -> dict[str, float]:
     """Count the keys that a bound leaves of one for each tick, and of one for each frame."""
     import bpy
 
-    render = bpy.context.scene.render
+    scene: Any = bpy.context.scene
+    render = scene.render
     at_scene_rate = counted(touch, data, terrain)
     render.fps, render.fps_base = round(data.about.rate), 1.0
     at_full_rate = counted(touch, data, terrain)
@@ -121,7 +122,7 @@ def counted(touch: Any, data: Any, terrain: Any) -> dict[str, Any]:
     """Write the take with all keys and with few, and look at every frame where Blender has both."""
     import bpy
 
-    scene = bpy.context.scene
+    scene: Any = bpy.context.scene
     options = part("record.take_options").TakeOptions
     every = options(start_frame=1, trails=frozenset())
     fewest = options(start_frame=1, trails=frozenset(), reduced=True, bound_mm=BOUND_MM)
