@@ -377,10 +377,17 @@ def test_a_path_without_a_place_on_its_body_is_not_written(tmp_path: Path) -> No
         "[" * 100_000,
         '{"features": []}',
         '{"features": [{"geometry": {"type": "Point", "coordinates": [1, 2]}}]}',
-        '{"features": [{"geometry": {"type": "MultiLineString", "coordinates": [[[1, 2]]]}}]}',
-        '{"features": [{"geometry": {"type": "MultiLineString", "coordinates": [[[1, 2, "x"], [1, 2, 3]]]}}]}',
-        '{"features": [{"geometry": {"type": "MultiLineString", "coordinates": [[[1, 2, NaN], [1, 2, 3]]]}}]}',
-        '{"features": [{"geometry": {"type": "MultiLineString", "coordinates": [[[1, 2, 3], [1, 2]]]}}]}',
+        *(
+            f'{{"features": [{{"geometry": {{"type": "MultiLineString", "coordinates": {lines}}}}}]}}'
+            for lines in (
+                "[[[1, 2]]]",
+                '[[[1, 2, "x"], [1, 2, 3]]]',
+                "[[[1, 2, NaN], [1, 2, 3]]]",
+                "[[[1, 2, 3], [1, 2]]]",
+                "[7]",
+                "null",
+            )
+        ),
     ],
 )
 def test_a_path_that_cannot_be_is_refused(text: str, tmp_path: Path) -> None:

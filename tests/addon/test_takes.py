@@ -256,6 +256,11 @@ def test_every_kind_of_trail_can_be_had_at_once(terrain: bpy.types.Object) -> No
         mesh.attributes[name].data.foreach_get("value", kept)
         wanted = values - values[0] if name == "time" else values
         assert kept == pytest.approx(wanted, rel=1e-6, abs=1e-6)
+    for name, values in (
+        module("record.files.derived").derived_columns(data, ground_of(recording).real).items()
+    ):
+        mesh.attributes[name].data.foreach_get("value", kept)
+        assert kept == pytest.approx(values, rel=1e-6, nan_ok=True)
     frame = recording.touch.frame
     shown = np.stack(frame.to_object(*data.places.T), axis=1)
     assert positions(mesh)[:, :2] == pytest.approx(shown[:, :2], abs=1e-5)
@@ -500,7 +505,7 @@ def test_an_ending_that_is_no_format_is_refused(terrain: bpy.types.Object, tmp_p
     with pytest.raises(RuntimeError, match=r"exported as \.csv, \.npz, \.geojson"):
         bpy.ops.haptic_terrain.export_take(filepath=str(tmp_path / "take.txt"))
     (tmp_path / "take.txt").write_text("nothing")
-    with pytest.raises(RuntimeError, match="ending: found .txt"):
+    with pytest.raises(RuntimeError, match=r"ending: found \.txt"):
         bpy.ops.haptic_terrain.import_take(filepath=str(tmp_path / "take.txt"))
 
 

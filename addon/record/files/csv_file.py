@@ -7,7 +7,6 @@ their last bit. What cannot be told (a longitude beside the map) is left empty.
 from __future__ import annotations
 
 import json
-import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -103,7 +102,10 @@ def _head(data: TakeData, names: list[str]) -> Iterator[str]:
 
 
 def _texts(values: Numbers) -> list[str]:
-    return ["" if math.isnan(value) else repr(value) for value in values.tolist()]
+    texts = list(map(repr, values.tolist()))
+    for unknown in np.flatnonzero(np.isnan(values)).tolist():
+        texts[unknown] = ""
+    return texts
 
 
 def _read_head(path: Path, file: TextIO) -> _Head:

@@ -52,13 +52,10 @@ def write_npz(path: Path, data: TakeData, derived: Mapping[str, Numbers]) -> Non
     """
     columns = {**data.columns, **derived}
     texts = {ABOUT: about_properties(data.about), UNITS: meanings(list(columns))}
+    arrays: dict[str, Any] = {name: np.array(json.dumps(text)) for name, text in texts.items()}
+    arrays.update((name, np.asarray(values, dtype="<f8")) for name, values in columns.items())
     with unfinished_file(path) as file:
-        np.savez(
-            file,
-            allow_pickle=False,
-            **{name: np.array(json.dumps(text)) for name, text in texts.items()},
-            **{name: np.asarray(values, dtype="<f8") for name, values in columns.items()},
-        )
+        np.savez(file, **arrays)
 
 
 def read_npz(path: Path) -> ReadTake:
