@@ -76,5 +76,7 @@ def take(count: int = 100, *, of: Any = None, **columns: Numbers) -> Any:
 
 def same(one: Any, other: Any) -> bool:
     """Whether two takes are the same to the last bit."""
-    alike = all(np.array_equal(values, other.columns[name]) for name, values in one.columns.items())
+    alike = all(
+        np.array_equal(values, other.columns[name], equal_nan=True) for name, values in one.columns.items()
+    )
     return alike and set(one.columns) == set(other.columns) and one.about == other.about

@@ -155,12 +155,10 @@ class _WholeLines:
 
     path: Path
     file: TextIO
-    empty: bool = True
 
     def __iter__(self) -> Iterator[str]:
         while (line := self.file.readline(MOST_IN_LINE)).endswith("\n"):
-            self.empty = False
-            yield line
+            yield _filled(line) if ",," in line or line[0] == "," else line
         if len(line) == MOST_IN_LINE:
             raise FormatError(
                 self.path,
@@ -169,6 +167,12 @@ class _WholeLines:
                 expected="the numbers of a tick",
                 way_out=WAY_OUT,
             )
+
+
+def _filled(line: str) -> str:
+    """Write out what was left empty, as numpy reads it."""
+    fields = line.rstrip("\r\n").split(",")
+    return ",".join(field or "nan" for field in fields) + "\n"
 
 
 def _table(path: Path, lines: _WholeLines, kept: list[int]) -> Numbers:
