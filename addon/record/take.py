@@ -6,7 +6,7 @@ import bpy
 
 from ..touch.cursor import SIZE, TAKE_COLOURS, Shape, shape_mesh, take_shape
 from ..touch.placement import Placement
-from .curves import ensure_fcurve, write_keys
+from .curves import ensure_fcurve, has_fcurve, write_keys
 from .kept_take import is_take, take_action
 from .keys import Keys, TakeKeys
 from .nla import off_tracks
@@ -79,8 +79,7 @@ def key_take(take: bpy.types.Object, keys: TakeKeys, models: tuple[str, ...]) ->
 
 def _key_mode(take: bpy.types.Object, action: bpy.types.Action, mode: Keys) -> None:
     """A curve only where there were modes, now or before."""
-    had_modes = take.get(MODE) is not None and bool(take.get(f"{MODE}_keyed"))
     take[MODE] = 0
-    if mode.values.any() or had_modes:
-        take[f"{MODE}_keyed"] = True
-        write_keys(ensure_fcurve(action, take, f'["{MODE}"]', 0), mode)
+    path = f'["{MODE}"]'
+    if mode.values.any() or has_fcurve(action, path):
+        write_keys(ensure_fcurve(action, take, path, 0), mode)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import bpy
@@ -140,6 +141,28 @@ def test_reduced_force_is_within_a_share_of_the_largest(terrain: bpy.types.Objec
     share = module("record.keys").SHARE
     assert np.abs(seen - data.force[ticks]).max() <= share * data.force[ticks].max() * 1.001
     assert len(keys.keyframe_points) < len(ticks)
+
+
+def test_reduced_keys_stay_above_a_globe(tmp_path: Path) -> None:
+    terrain = import_grid(planet().write(tmp_path), vertex_budget=2000)
+    bpy.ops.haptic_terrain.show_curvature()
+    recording = felt(2000)
+    data = module("record.recording").take_data(recording)
+    view, ground = view_of(recording, terrain), ground_of(recording)
+    assert view.frame.bend is not None
+    every = stop().take
+    placement = module("touch.placement").Placement.of(terrain, recording.touch.frame)
+    options = module("record.take_options").TakeOptions(start_frame=1, reduced=True, bound_mm=2.0)
+    few = module("record.write_take").write_take(bpy.context.scene, data, placement, ground, options)
+    frames = np.arange(1, 49)
+    whole, reduced = at_frames(every, frames), at_frames(few.take, frames)
+    ticks = module("record.resample").ticks_at_frames(data.columns["time"], 24.0)
+    room = 0.002 * data.terrain_per_hand[ticks] * view.units_per_metre
+    assert (np.linalg.norm(reduced - whole, axis=1) <= room).all()
+    assert few.keyframes < 48
+    for points in (whole, reduced):
+        east, north, up = view.to_terrain(points).T
+        assert not (up < ground.highest(view.frame.on_map(east), north)).any()
 
 
 @pytest.mark.parametrize("kind", ["FRAMES", "REDUCED"])
@@ -543,3 +566,12 @@ def test_how_a_scene_was_played_is_put_back(terrain: bpy.types.Object) -> None:
     recording.played = played
     stop()
     assert (scene.sync_mode, scene.frame_end, scene.use_preview_range) == ("AUDIO_SYNC", 77, True)
+
+
+def test_a_file_gets_the_ending_of_the_chosen_format() -> None:
+    operator = module("ui.take_operators").HAPTIC_TERRAIN_OT_export_take
+    chosen = SimpleNamespace(filepath="/somewhere/take.csv", format="GEOJSON")
+    assert operator.check(chosen, bpy.context)
+    assert chosen.filepath == str(Path("/somewhere/take.geojson"))
+    assert not operator.check(chosen, bpy.context)
+    assert not operator.check(SimpleNamespace(filepath="", format="CSV"), bpy.context)

@@ -7,7 +7,7 @@ their last bit. What cannot be told (a longitude beside the map) is left empty.
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TextIO
@@ -33,8 +33,17 @@ MOST_IN_LINE = 1 << 16
 """Letters: no line that is written here comes near."""
 
 
-def write_csv(path: Path, data: TakeData, derived: Mapping[str, Numbers]) -> None:
+def write_csv(
+    path: Path,
+    data: TakeData,
+    derived: Mapping[str, Numbers],
+    tell: Callable[[float], None] = lambda _share: None,
+) -> None:
     """Write the table; where that fails, nothing is left and an older file stays as it was.
+
+    Args:
+        derived: columns beside those of the take.
+        tell: is told the share that is written, again and again.
 
     Raises:
         OSError: it cannot be written.
@@ -46,6 +55,7 @@ def write_csv(path: Path, data: TakeData, derived: Mapping[str, Numbers]) -> Non
         for first in range(0, len(data), LINES_AT_ONCE):
             some = [_texts(values[first : first + LINES_AT_ONCE]) for values in columns.values()]
             file.write("".join(f"{','.join(line)}\n" for line in zip(*some, strict=True)).encode())
+            tell(first / len(data))
 
 
 def read_csv(path: Path) -> ReadTake:
