@@ -9,7 +9,6 @@ breadth-first search over the frames, which finds the fewest keys. On long takes
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -122,21 +121,3 @@ def _hold(
         buried[asked] = ~clear(points[asked])
         holds &= ~buried.any(axis=1)
     return holds
-
-
-def at_every_frame(frames: npt.NDArray[Any], values: Numbers, held: npt.NDArray[np.bool_]) -> Numbers:
-    """What keys say at every whole frame from the first to the last.
-
-    Args:
-        frames: of the keys, whole numbers, rising.
-        values: of the keys, n x d.
-        held: for each key, whether its value stays until the next one.
-    """
-    whole = np.arange(frames[0], frames[-1] + 1)
-    key = np.clip(np.searchsorted(frames, whole, side="right") - 1, 0, max(len(frames) - 2, 0))
-    after = np.minimum(key + 1, len(frames) - 1)
-    lengths = np.maximum(frames[after] - frames[key], 1)
-    shares = (whole - frames[key]) / lengths
-    shares[held[key] & (shares < 1.0)] = 0.0
-    between: Numbers = values[key] + (values[after] - values[key]) * shares[:, None]
-    return between

@@ -101,12 +101,15 @@ def write_take(
         mark_modes(scene, take, keys.mode)
     if options.nla:
         push_down(take, action)
-    _place_trails(home(take, scene), trails, placement)
+    _place_trails(home(take, scene), take, trails, placement)
     return Take(take, trails, len(keys.location), data.seconds, data.about.lost_ticks, keys.cut_seconds)
 
 
 def _place_trails(
-    collection: bpy.types.Collection, trails: dict[str, bpy.types.Object], placement: Placement
+    collection: bpy.types.Collection,
+    take: bpy.types.Object,
+    trails: dict[str, bpy.types.Object],
+    placement: Placement,
 ) -> None:
     """Put the trails beside their take, in place of those that it had."""
     if collection.get(COLLECTION):
@@ -114,6 +117,9 @@ def _place_trails(
             bpy.data.objects.remove(old)
     for kind, trail in trails.items():
         trail[TRAIL] = kind
+        if not trail.data.materials and isinstance(take.data, bpy.types.Mesh):
+            for colour in take.data.materials:
+                trail.data.materials.append(colour)
         trail.matrix_world = placement.matrix
         collection.objects.link(trail)
 

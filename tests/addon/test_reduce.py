@@ -109,12 +109,3 @@ def test_without_room_every_frame_of_a_bent_way_has_its_key() -> None:
     angle = np.linspace(0.0, 6.0, 50)
     places = np.stack((np.cos(angle), np.sin(angle), angle), axis=1)
     assert chosen(places, np.zeros(50)) == list(range(50))
-
-
-def test_keys_say_at_every_frame_what_straight_lines_say_and_stay_where_they_are_held() -> None:
-    at = module("record.reduce").at_every_frame
-    frames, values = np.array([10, 14, 15, 17]), np.array([[0.0], [8.0], [100.0], [104.0]])
-    held = np.array([False, True, False, False])
-    assert at(frames, values, held)[:, 0].tolist() == [0.0, 2.0, 4.0, 6.0, 8.0, 100.0, 102.0, 104.0]
-    assert at(frames[:2], values[:2], np.array([True, False]))[:, 0].tolist() == [0.0] * 4 + [8.0]
-    assert at(frames[:1], values[:1], held[:1])[:, 0].tolist() == [0.0]

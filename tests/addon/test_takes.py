@@ -272,6 +272,7 @@ def test_every_kind_of_trail_can_be_had_at_once(terrain: bpy.types.Object) -> No
     assert max(radii) == pytest.approx(1.0, abs=0.02)
     assert 0.1 <= min(radii) < 0.6
     assert line.bevel_depth > 0.0
+    assert line.materials[0] == take.take.data.materials[0]
     mesh = take.trails["POINTS"].data
     assert (len(mesh.vertices), len(mesh.edges), len(mesh.polygons)) == (len(data), 0, 0)
     for name, values in {**data.columns, "force": data.force, "depth": data.depth}.items():
