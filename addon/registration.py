@@ -7,8 +7,10 @@ from pathlib import Path
 import bpy
 
 from .formats.cache import cache
+from .record.playing import stop_playing
 from .terrain import saving
 from .touch import timer
+from .touch.live import live
 from .ui import (
     import_operator,
     keymap,
@@ -18,9 +20,10 @@ from .ui import (
     record_operators,
     settings,
     stylus_operators,
+    take_operators,
     touch_operators,
 )
-from .ui.panels import colours, georeference, profile
+from .ui.panels import colours, georeference, profile, take
 
 CLASSES: tuple[type, ...] = (
     settings.HapticTerrainSettings,
@@ -34,6 +37,9 @@ CLASSES: tuple[type, ...] = (
     stylus_operators.HAPTIC_TERRAIN_OT_twist,
     record_operators.HAPTIC_TERRAIN_OT_record_start,
     record_operators.HAPTIC_TERRAIN_OT_record_stop,
+    record_operators.HAPTIC_TERRAIN_OT_record_discard,
+    take_operators.HAPTIC_TERRAIN_OT_export_take,
+    take_operators.HAPTIC_TERRAIN_OT_import_take,
     place_operators.HAPTIC_TERRAIN_OT_go_to,
     place_operators.HAPTIC_TERRAIN_OT_show_curvature,
     place_operators.HAPTIC_TERRAIN_OT_colour_by,
@@ -47,6 +53,7 @@ CLASSES: tuple[type, ...] = (
     panel.HAPTIC_TERRAIN_PT_touch,
     panel.HAPTIC_TERRAIN_PT_safety,
     panel.HAPTIC_TERRAIN_PT_record,
+    take.HAPTIC_TERRAIN_PT_take,
 )
 
 
@@ -56,6 +63,8 @@ def register() -> None:
         bpy.utils.register_class(cls)
     bpy.types.Scene.haptic_terrain = bpy.props.PointerProperty(type=settings.HapticTerrainSettings)
     bpy.types.TOPBAR_MT_file_import.append(import_operator.draw_menu)  # type: ignore[arg-type]
+    bpy.types.TOPBAR_MT_file_import.append(take_operators.draw_import)  # type: ignore[arg-type]
+    bpy.types.TOPBAR_MT_file_export.append(take_operators.draw_export)  # type: ignore[arg-type]
     # Extensions write nowhere else.
     cache.folder = Path(bpy.utils.extension_path_user(__package__, path="cache"))
     saving.register()
@@ -66,8 +75,12 @@ def register() -> None:
 def unregister() -> None:
     """Remove what ``register`` added."""
     keymap.unregister()
+    if live.recording is not None:
+        stop_playing(bpy.context, live.recording)
     timer.unregister()
     saving.unregister()
+    bpy.types.TOPBAR_MT_file_export.remove(take_operators.draw_export)  # type: ignore[arg-type]
+    bpy.types.TOPBAR_MT_file_import.remove(take_operators.draw_import)  # type: ignore[arg-type]
     bpy.types.TOPBAR_MT_file_import.remove(import_operator.draw_menu)  # type: ignore[arg-type]
     del bpy.types.Scene.haptic_terrain
     for cls in reversed(CLASSES):

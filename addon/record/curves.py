@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import bpy
 import numpy as np
+
+from .keys import Keys
 
 CONSTANT, LINEAR = 0, 1
 """Values of a keyframe's ``interpolation``."""
@@ -22,16 +22,25 @@ def ensure_fcurve(
     return curve
 
 
-def write_keys(
-    curve: bpy.types.FCurve, frames: Sequence[float], values: Sequence[float], held: Sequence[bool]
-) -> None:
-    """Write all keys of an empty curve at once.
+def has_fcurve(action: bpy.types.Action, data_path: str) -> bool:
+    """Whether an action moves a property."""
+    if hasattr(action, "layers"):  # slotted actions
+        strips = (strip for layer in action.layers for strip in layer.strips)
+        curves = (curve for strip in strips for bag in strip.channelbags for curve in bag.fcurves)
+    else:
+        curves = iter(action.fcurves)
+    return any(curve.data_path == data_path for curve in curves)
+
+
+def write_keys(curve: bpy.types.FCurve, keys: Keys, axis: int = 0) -> None:
+    """Write all keys of a curve at once; what it had is gone.
 
     Args:
-        held: for each key, whether its value stays until the next one instead of moving toward it.
+        axis: of the keys' values.
     """
     points = curve.keyframe_points
-    points.add(len(frames))
-    points.foreach_set("co", np.column_stack((frames, values)).astype(np.float32).ravel())
-    points.foreach_set("interpolation", np.where(held, CONSTANT, LINEAR).astype(np.int32))
+    points.clear()
+    points.add(len(keys))
+    points.foreach_set("co", np.column_stack((keys.frames, keys.values[:, axis])).astype(np.float32).ravel())
+    points.foreach_set("interpolation", np.where(keys.held, CONSTANT, LINEAR).astype(np.int32))
     curve.update()

@@ -20,7 +20,6 @@ import addon
 from addon.formats import projections, read_grid
 from addon.formats.body import bodies
 from addon.formats.profiles import profile
-from addon.record import resample
 from addon.terrain import frame
 from addon.touch import recorder
 print(read_grid(Path(sys.argv[1])).samples)
@@ -51,7 +50,7 @@ def test_every_raw_format_is_read_with_bpy_and_numpy_blocked(tmp_path: Path) -> 
     assert done.stdout.strip() == "[361201, 24, 6, 6, 6]"
 
 
-def test_a_grid_is_read_and_ticks_are_resampled_with_bpy_blocked(tmp_path: Path) -> None:
+def test_a_grid_is_read_with_bpy_blocked(tmp_path: Path) -> None:
     label = MegdrPair(rough(3, 4)).write(tmp_path)
     done = subprocess.run(
         [sys.executable, "-c", SCRIPT, str(label)], cwd=ROOT, capture_output=True, text=True, check=False
