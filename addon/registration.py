@@ -10,6 +10,7 @@ from .formats.cache import cache
 from .terrain import saving
 from .touch import timer
 from .ui import (
+    bake_operators,
     import_operator,
     keymap,
     panel,
@@ -34,6 +35,7 @@ CLASSES: tuple[type, ...] = (
     stylus_operators.HAPTIC_TERRAIN_OT_twist,
     record_operators.HAPTIC_TERRAIN_OT_record_start,
     record_operators.HAPTIC_TERRAIN_OT_record_stop,
+    bake_operators.HAPTIC_TERRAIN_OT_bake,
     place_operators.HAPTIC_TERRAIN_OT_go_to,
     place_operators.HAPTIC_TERRAIN_OT_show_curvature,
     place_operators.HAPTIC_TERRAIN_OT_colour_by,
