@@ -23,7 +23,6 @@ from ..terrain.undone import undone_on_failure
 from ..touch.handle import Handle
 from ..touch.live import ModelChoice, live
 from ..touch.model import chosen_model
-from ..touch.placement import Placement
 from ..touch.tick import UNUSABLE
 from ..touch.workspace import whole_map
 from .animated import Animated, AnimationError, Frames, Path, check_frames, found, samples
@@ -64,7 +63,8 @@ class Baked:
     """What was felt, and where the terrain stood."""
 
     data: TakeData
-    placement: Placement
+    path: Path
+    stand: Stand
     ground: Ground
     notes: tuple[str, ...]
     """What a person should know."""
@@ -103,36 +103,53 @@ def baked(bake: Bake) -> Generator[float, None, Baked]:
         FormatError: the grid's file cannot be used any more.
         KeptError: the terrain does not remember its grid.
     """
-    terrain, scene = found(bake.terrain), found(bake.scene)
-    kept = recall(terrain)
-    grid = open_shown(live.opened, kept)
-    ground = Ground(grid, preview_surface(grid, preview_cells(grid.layout, kept.vertex_budget)))
+    kept, ground = opened_ground(bake)
+    scene = found(bake.scene)
     rate, settings = frame_rate(scene), scene.haptic_terrain
     width, max_force = settings.window_width * 1000.0, settings.max_force
 
-    following = samples(bake.scene, bake.view_layer, bake.goal, bake.terrain, bake.frames)
-    path = yield from _shares(following, 0.0, SAMPLING)
+    path = yield from _shares(path_of(bake), 0.0, SAMPLING)
     stand = usable_stand(bake.terrain, kept.frame, path)
     places = terrain_places(stand, path)
     times = tick_times(bake.frames.last - bake.frames.first, rate)
     goals = goals_at(times, places, rate * bake.frames.per_frame)
     answer = Answer(
-        grid,
+        ground.grid,
         kept.maximum,
-        _window(grid, goals, width, stand.exaggeration),
+        _window(ground.grid, goals, width, stand.exaggeration),
         SimulatedDevice().workspace[0],
         max_force=max_force,
         **asdict(bake.model),
     )
     columns = yield from _shares(felt(answer, times, goals), SAMPLING, 1.0)
     data = TakeData(columns, _about(bake, kept, answer))
-    return Baked(data, stand.placement, ground, _notes(bake, data, places))
+    return Baked(data, path, stand, ground, _notes(bake, data, places))
 
 
 def write_baked(bake: Bake, result: Baked, options: TakeOptions, tell: Tell) -> Take:
     """Put the take into the scene; what cannot be finished leaves nothing there."""
     with undone_on_failure():
-        return write_take(found(bake.scene), result.data, result.placement, result.ground, options, tell)
+        return write_take(
+            found(bake.scene), result.data, result.stand.placement, result.ground, options, tell
+        )
+
+
+def opened_ground(bake: Bake) -> tuple[KeptTerrain, Ground]:
+    """Open the terrain's grid.
+
+    Raises:
+        AnimationError: the terrain is gone.
+        FormatError: the grid's file cannot be used any more.
+        KeptError: the terrain does not remember its grid.
+    """
+    kept = recall(found(bake.terrain))
+    grid = open_shown(live.opened, kept)
+    return kept, Ground(grid, preview_surface(grid, preview_cells(grid.layout, kept.vertex_budget)))
+
+
+def path_of(bake: Bake) -> Generator[float, None, Path]:
+    """Follow the goal through the frames; see ``samples``."""
+    return samples(bake.scene, bake.view_layer, bake.goal, bake.terrain, bake.frames)
 
 
 def frame_rate(scene: bpy.types.Scene) -> float:

@@ -1,4 +1,7 @@
-"""How something with a footprint stands on uneven ground; without Blender."""
+"""How something with a footprint stands on uneven ground; without Blender.
+
+Vectors are in scene coordinates; many moments at once, a row for each.
+"""
 
 from __future__ import annotations
 
@@ -6,46 +9,78 @@ import numpy as np
 
 from .take_data import Numbers
 
-AROUND = (
-    (-1.0, -1.0),
-    (0.0, -1.0),
-    (1.0, -1.0),
-    (-1.0, 0.0),
-    (0.0, 0.0),
-    (1.0, 0.0),
-    (-1.0, 1.0),
-    (0.0, 1.0),
-    (1.0, 1.0),
-)
-"""Sideways and forward, in half footprints: the corners, the middles between them, and the middle of all."""
+AROUND = np.array([(side, ahead) for ahead in (-1.0, 0.0, 1.0) for side in (-1.0, 0.0, 1.0)])
+"""Rightward and forward, in half footprints: the corners, the middles between them, and the middle of all."""
+
+MIDDLE = 4
+"""Its number in ``AROUND``."""
+
+STANDS = 1e-3
+"""Share of the fastest motion below which something stands: the direction of what is left is rounding."""
 
 
-def footing(ground: Numbers, up: Numbers) -> tuple[Numbers, Numbers]:
-    """Lay a plane on the ground under a footprint so that none of its points is buried.
+def plane(ground: Numbers, up: Numbers) -> Numbers:
+    """Unit normals of the planes that lie on the ground under footprints, n x 3.
 
     Args:
-        ground: scene coordinates of the ground at ``AROUND``, 9 x 3.
-        up: unit vector away from the ground.
-
-    Returns:
-        The middle of the plane, and its unit normal.
+        ground: at ``AROUND``, n x 9 x 3.
+        up: away from the ground, n x 3.
     """
-    right = ground[[2, 5, 8]] - ground[[0, 3, 6]]
-    forward = ground[[6, 7, 8]] - ground[[0, 1, 2]]
-    normal = _unit(np.cross(right.mean(axis=0), forward.mean(axis=0)))
-    if normal @ up < 0.0:  # a mirrored terrain
-        normal = -normal
-    middle = ground[4]
-    lift = np.max((ground - middle) @ normal)
-    # Along the vertical: a thing that is lifted stays over its place.
-    return middle + up * (lift / (normal @ up)), normal
+    right = ground[:, 2::3].mean(axis=1) - ground[:, 0::3].mean(axis=1)
+    forward = ground[:, 6:].mean(axis=1) - ground[:, :3].mean(axis=1)
+    normal = unit(np.cross(right, forward))
+    return np.where(dot(normal, up)[:, None] < 0.0, -normal, normal)
 
 
-def basis(forward: Numbers, normal: Numbers) -> Numbers:
-    """Columns right, forward and up of something that stands on a plane and looks along ``forward``."""
-    right = _unit(np.cross(forward, normal))
-    return np.stack((right, np.cross(normal, right), normal), axis=1)
+def resting(ground: Numbers, normal: Numbers, up: Numbers) -> Numbers:
+    """Where the middles of planes come to rest that bury no point of the ground under them, n x 3.
+
+    Args:
+        ground: at ``AROUND``, n x 9 x 3.
+        normal: of the planes, n x 3.
+        up: away from the ground, unit vectors, n x 3: the planes are lifted along them.
+    """
+    middle = ground[:, MIDDLE]
+    above = np.max(np.sum((ground - middle[:, None]) * normal[:, None], axis=2), axis=1)
+    return np.asarray(middle + up * (above / dot(normal, up))[:, None])
 
 
-def _unit(vector: Numbers) -> Numbers:
-    return np.asarray(vector / np.sqrt(np.sum(vector * vector)))
+def turned(forward: Numbers, normal: Numbers) -> Numbers:
+    """Rotation matrices whose third axis is ``normal`` and whose second looks ``forward``, n x 3 x 3."""
+    right = unit(np.cross(forward, normal))
+    return np.stack((right, np.cross(normal, right), normal), axis=2)
+
+
+def level(vector: Numbers, up: Numbers) -> Numbers:
+    """The part of vectors that is across ``up``, n x 3."""
+    return np.asarray(vector - up * dot(vector, up)[:, None])
+
+
+def unit(vector: Numbers) -> Numbers:
+    """Vectors of length 1, n x 3."""
+    return np.asarray(vector / np.sqrt(dot(vector, vector))[:, None])
+
+
+def dot(one: Numbers, other: Numbers) -> Numbers:
+    """Products of vectors, n."""
+    return np.asarray(np.sum(one * other, axis=1))
+
+
+def headings(places: Numbers, up: Numbers, own: Numbers) -> Numbers:
+    """Where something looks that looks along its path: level unit vectors, n x 3.
+
+    While it stands it looks where it looked before; before it moves at all, where it will go.
+
+    Args:
+        places: n x 3, at least two.
+        own: level unit vectors for something that never moves.
+    """
+    ahead = np.gradient(places, axis=0)
+    ahead = level(ahead, up)
+    lengths = np.sqrt(dot(ahead, ahead))
+    moves = lengths > STANDS * lengths.max()
+    if not moves.any():
+        return own
+    last = np.maximum.accumulate(np.where(moves, np.arange(len(places)), -1))
+    last[last < 0] = int(np.argmax(moves))
+    return unit(level(ahead[last], up))

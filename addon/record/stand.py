@@ -35,10 +35,14 @@ class Stand:
         return self.matrix.point(self.frame.to_object(east, north, up))
 
     @property
+    def across(self) -> float:
+        """Scene units in a unit of the object, across."""
+        return _length(self.matrix.column(0))
+
+    @property
     def exaggeration(self) -> float:
         """Of heights as they are seen."""
-        across, high = _length(self.matrix.column(0)), _length(self.matrix.column(2))
-        return self.frame.exaggeration * (high / across)
+        return self.frame.exaggeration * (_length(self.matrix.column(2)) / self.across)
 
     @cached_property
     def _inverse(self) -> Affine:
