@@ -35,6 +35,7 @@ CLASSES: tuple[type, ...] = (
     stylus_operators.HAPTIC_TERRAIN_OT_twist,
     record_operators.HAPTIC_TERRAIN_OT_record_start,
     record_operators.HAPTIC_TERRAIN_OT_record_stop,
+    record_operators.HAPTIC_TERRAIN_OT_record_discard,
     bake_operators.HAPTIC_TERRAIN_OT_bake,
     place_operators.HAPTIC_TERRAIN_OT_go_to,
     place_operators.HAPTIC_TERRAIN_OT_show_curvature,

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 import bpy
 import numpy as np
+
+from .keys import Keys
 
 CONSTANT, LINEAR = 0, 1
 """Values of a keyframe's ``interpolation``."""
@@ -22,16 +22,15 @@ def ensure_fcurve(
     return curve
 
 
-def write_keys(
-    curve: bpy.types.FCurve, frames: Sequence[float], values: Sequence[float], held: Sequence[bool]
-) -> None:
-    """Write all keys of an empty curve at once.
+def write_keys(curve: bpy.types.FCurve, keys: Keys, axis: int = 0) -> None:
+    """Write all keys of a curve at once; what it had is gone.
 
     Args:
-        held: for each key, whether its value stays until the next one instead of moving toward it.
+        axis: of the keys' values.
     """
     points = curve.keyframe_points
-    points.add(len(frames))
-    points.foreach_set("co", np.column_stack((frames, values)).astype(np.float32).ravel())
-    points.foreach_set("interpolation", np.where(held, CONSTANT, LINEAR).astype(np.int32))
+    points.clear()
+    points.add(len(keys))
+    points.foreach_set("co", np.column_stack((keys.frames, keys.values[:, axis])).astype(np.float32).ravel())
+    points.foreach_set("interpolation", np.where(keys.held, CONSTANT, LINEAR).astype(np.int32))
     curve.update()

@@ -2,35 +2,27 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import replace
 
 import bpy
 
+from ..terrain.kept import KeptError, recall
 from ..terrain.progress import progress
 from ..terrain.undone import undone_on_failure
 from ..touch.live import Recording, live
 from ..touch.placement import Placement
 from ..touch.recorder import Recorder
 from ..touch.stop import collect_ticks
-from .take import add_take
-from .trail import add_trail
+from .chosen_options import chosen_options
+from .ground import Ground
+from .playing import start_playing, stop_playing
+from .take_data import TakeAbout, TakeData
+from .take_options import DEFAULT_TRAILS
+from .write_take import Take, write_take
 
 
 class RecordingError(RuntimeError):
     """A take cannot be started or stopped; the text says what to do."""
-
-
-@dataclass(frozen=True)
-class Take:
-    """What a take left in the scene."""
-
-    take: bpy.types.Object
-    trail: bpy.types.Object | None
-    keyframes: int
-    """On each of its curves."""
-    seconds: float
-    dropped: int
-    """Ticks that were lost because Blender was busy for longer than the ring lasts."""
 
 
 def start_recording(context: bpy.types.Context) -> None:
@@ -50,38 +42,91 @@ def start_recording(context: bpy.types.Context) -> None:
     scene = touch.scene.find()
     if scene is None:
         raise RecordingError("The scene in which touch was started is gone: start it again.")
+    try:
+        kept = recall(terrain)
+    except KeptError as error:
+        raise RecordingError(str(error)) from error
     collect_ticks(touch)
-    live.recording = Recording(
+    recording = Recording(
         touch=touch,
         recorder=Recorder(),
         placement=Placement.of(terrain, touch.frame),
         start_frame=scene.frame_current,
+        source=kept.grid.data_path.name,
+        digest=kept.stamp.digest if kept.stamp is not None else "",
         dropped_before=touch.session.statistics().dropped,
     )
+    if scene.haptic_terrain.play_timeline:
+        recording.played = start_playing(context, scene)
+    live.recording = recording
 
 
-def stop_recording(context: bpy.types.Context, *, trail: bool = True) -> Take:
-    """Write the take, and its trail where one is wanted.
+def stop_recording(context: bpy.types.Context, *, trail: bool | None = None) -> Take:
+    """Write the take as the scene's settings say. While that fails, the recording stays as it is.
+
+    Args:
+        trail: whether to draw trails; ``None`` leaves that to the settings.
 
     Raises:
         RecordingError: no take is being recorded, or nothing was felt.
     """
     if live.touch is not None:
         collect_ticks(live.touch)
-    recording, live.recording = live.recording, None
+    recording = live.recording
     if recording is None:
         raise RecordingError("No take is being recorded.")
+    _stop_playing(context, recording)
     if not len(recording.recorder):
+        live.recording = None
         raise RecordingError("The take is empty: nothing was written.")
     scene = recording.touch.scene.find() or context.scene
     if scene is None:
         raise RecordingError("The scene in which the take was recorded is gone, and no other one is open.")
-    placement = _placement(recording)
+    options = chosen_options(scene, recording.start_frame)
+    if trail is not None:
+        options = replace(options, trails=(options.trails or DEFAULT_TRAILS) if trail else frozenset())
+    ground = Ground(recording.touch.grid, recording.touch.surface)
     with progress(context) as tell, undone_on_failure():
-        take, keyframes = add_take(scene, recording, placement)
-        tell(0.1)
-        drawn = add_trail(scene, recording, placement, tell) if trail else None
-    return Take(take, drawn, keyframes, recording.recorder.seconds, recording.dropped)
+        take = write_take(scene, _data(recording), _placement(recording), ground, options, tell)
+    live.recording = None
+    return take
+
+
+def discard_recording(context: bpy.types.Context) -> None:
+    """Let go of the take in the making.
+
+    Raises:
+        RecordingError: no take is being recorded.
+    """
+    if live.recording is None:
+        raise RecordingError("No take is being recorded.")
+    _stop_playing(context, live.recording)
+    live.recording = None
+
+
+def _stop_playing(context: bpy.types.Context, recording: Recording) -> None:
+    before, recording.played = recording.played, None
+    if before is not None:
+        stop_playing(context, recording.touch.scene.find(), before)
+
+
+def _data(recording: Recording) -> TakeData:
+    touch, layout = recording.touch, recording.touch.grid.layout
+    about = TakeAbout(
+        terrain=touch.terrain.name,
+        source=recording.source,
+        rows=layout.rows,
+        columns=layout.columns,
+        cell_width=layout.cell_width,
+        cell_height=layout.cell_height,
+        wraps=layout.wraps,
+        georeference=touch.georeference,
+        workspace_width=touch.workspace[0],
+        models=tuple(recording.models),
+        lost_ticks=recording.dropped,
+        digest=recording.digest,
+    )
+    return TakeData.of(recording.recorder.columns, about)
 
 
 def _placement(recording: Recording) -> Placement:

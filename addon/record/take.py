@@ -4,63 +4,79 @@ from __future__ import annotations
 
 import bpy
 
-from ..touch.cursor import SIZE, TAKE, shape_mesh
-from ..touch.live import Recording
+from ..touch.cursor import SIZE, shape_mesh, take_shape
 from ..touch.placement import Placement
 from .curves import ensure_fcurve, write_keys
-from .resample import keys_before_jumps, ticks_at_frames
+from .kept_take import is_take, take_action
+from .keys import Keys, TakeKeys
+from .nla import off_tracks
 
 NAME = "Touch Take"
+
+COLLECTION = "haptic_terrain_take"
+"""ID property of a collection: it holds a take and its trails, and nothing else was put there."""
 
 MODE = "haptic_terrain_mode"
 """ID property of a take, keyed where the hand panned or zoomed: 0 normal, 1 pan, 2 zoom."""
 
+FORCE = "haptic_terrain_force"
+"""ID property of a take, keyed: newtons."""
+
+DEPTH = "haptic_terrain_depth"
+"""ID property of a take, keyed: from the proxy to the goal, metres of the hand's motion; 0 in free space."""
+
 MODELS = "haptic_terrain_models"
 """ID property of a take: the contact models that answered, in their order."""
 
+DISTANCE = {"subtype": "DISTANCE"}
 
-def add_take(
-    scene: bpy.types.Scene, recording: Recording, placement: Placement
-) -> tuple[bpy.types.Object, int]:
-    """Make the object, at the scene's present frame rate.
 
-    Returns:
-        The object, and the number of keyframes on each of its curves.
+def new_take(scene: bpy.types.Scene, placement: Placement, longest_side: float) -> bpy.types.Object:
+    """Make the object in a collection of its own: a cone whose tip is the point that moved.
+
+    Args:
+        longest_side: of the map, Blender units in the scene.
     """
-    columns = recording.recorder.columns
-    felt = ticks_at_frames(columns["time"], scene.render.fps / scene.render.fps_base)
-    east = [columns["proxy_east"][tick] for tick in felt]
-    places = [
-        placement.to_scene(
-            columns["proxy_east"][tick], columns["proxy_north"][tick], columns["proxy_up"][tick]
-        )
-        for tick in felt
-    ]
-    held = keys_before_jumps([placement.frame.turns(metres) for metres in east])
-    frames = [float(recording.start_frame + number) for number in range(len(felt))]
-
-    take = _object(scene, recording, placement)
-    # So that the take plays to its end; a longer range that was chosen stays.
-    scene.frame_end = max(scene.frame_end, recording.start_frame + len(felt) - 1)
-    action = bpy.data.actions.new(take.name)
-    take.animation_data_create().action = action
-    for axis in range(3):
-        curve = ensure_fcurve(action, take, "location", axis)
-        write_keys(curve, frames, [place[axis] for place in places], held)
-    modes = [columns["mode"][tick] for tick in felt]
-    if any(modes):
-        curve = ensure_fcurve(action, take, f'["{MODE}"]', 0)
-        write_keys(curve, frames, modes, [True] * len(modes))
-    return take, len(felt)
-
-
-def _object(scene: bpy.types.Scene, recording: Recording, placement: Placement) -> bpy.types.Object:
-    """Make a cone like the cursor in contact, in a colour of its own; its tip is the point that moved."""
-    take = bpy.data.objects.new(NAME, shape_mesh(TAKE))
-    size = SIZE * placement.longest_side(recording.touch.grid.layout)
+    number = sum(map(is_take, scene.objects))
+    take = bpy.data.objects.new(NAME, shape_mesh(take_shape(number)))
+    size = SIZE * longest_side
     take.scale = (size, size, size)
     take.rotation_euler = placement.rotation.to_euler()
-    take[MODE] = 0
-    take[MODELS] = ", ".join(recording.models)
-    scene.collection.objects.link(take)
+    collection = bpy.data.collections.new(take.name)
+    collection[COLLECTION] = True
+    scene.collection.children.link(collection)
+    collection.objects.link(take)
+    take.animation_data_create().action = bpy.data.actions.new(take.name)
     return take
+
+
+def home(take: bpy.types.Object, scene: bpy.types.Scene) -> bpy.types.Collection:
+    """Where a take's trails belong: its own collection, else the scene's."""
+    own = (collection for collection in take.users_collection if collection.get(COLLECTION))
+    return next(own, scene.collection)
+
+
+def key_take(take: bpy.types.Object, keys: TakeKeys, models: tuple[str, ...]) -> bpy.types.Action:
+    """Write the curves, in place of those that the take had; its action is in use then, on no NLA track."""
+    action = take_action(take) or take.animation_data.action
+    off_tracks(take, action)
+    take.animation_data.action = action
+    for axis in range(3):
+        write_keys(ensure_fcurve(action, take, "location", axis), keys.location, axis)
+    for name, of_it in ((FORCE, keys.force), (DEPTH, keys.depth)):
+        take[name] = 0.0
+        write_keys(ensure_fcurve(action, take, f'["{name}"]', 0), of_it)
+    take[MODELS] = ", ".join(models)
+    _key_mode(take, action, keys.mode)
+    action.use_frame_range = True
+    action.frame_start, action.frame_end = float(keys.location.frames[0]), float(keys.last_frame)
+    return action
+
+
+def _key_mode(take: bpy.types.Object, action: bpy.types.Action, mode: Keys) -> None:
+    """A curve only where there were modes, now or before."""
+    had_modes = take.get(MODE) is not None and bool(take.get(f"{MODE}_keyed"))
+    take[MODE] = 0
+    if mode.values.any() or had_modes:
+        take[f"{MODE}_keyed"] = True
+        write_keys(ensure_fcurve(action, take, f'["{MODE}"]', 0), mode)

@@ -10,6 +10,8 @@ if TYPE_CHECKING:
 
 TrailKind = Literal["TUBE", "CURVE", "POINTS"]
 
+DEFAULT_TRAILS: frozenset[TrailKind] = frozenset({"TUBE"})
+
 BOUND_MM = 1.0
 """Millimetres of the hand's motion: less than a hand can place."""
 
@@ -24,7 +26,7 @@ class TakeOptions:
     """Whether keys are left out where the point stays within ``bound_mm`` without them."""
     bound_mm: float = BOUND_MM
     """Millimetres of the hand's motion, as far as the window had them at each tick."""
-    trails: frozenset[TrailKind] = frozenset({"TUBE"})
+    trails: frozenset[TrailKind] = DEFAULT_TRAILS
     markers: bool = True
     """Whether the timeline tells where the hand panned and zoomed."""
     nla: bool = False

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -10,15 +10,11 @@ import numpy as np
 import numpy.typing as npt
 
 from ..terrain.frame import TerrainFrame
-from ..touch.recorder import Recorder
+from .scene_view import Highest
+from .take_data import Numbers, TakeData
 
 MOST_POINTS = 100_000
 """Of all trails of a take: ten minutes of wild circles would have a million, and millions of vertices."""
-
-Numbers = npt.NDArray[np.float64]
-
-Ground = Callable[[Numbers, Numbers], Numbers]
-"""Metres of what must not bury the trail, at terrain metres east and north on the map; NaN for nothing."""
 
 
 @dataclass(frozen=True)
@@ -32,7 +28,7 @@ class Trail:
 
 
 def contact_trails(
-    recorder: Recorder, frame: TerrainFrame, ground: Ground, spacing: float, most: int = MOST_POINTS
+    data: TakeData, frame: TerrainFrame, ground: Highest, spacing: float, most: int = MOST_POINTS
 ) -> list[Trail]:
     """Split a take into its touches: from contact to free space, or to the seam of a map that wraps.
 
@@ -41,11 +37,9 @@ def contact_trails(
             farther ones are joined along the ground.
         most: points of all trails together; they are farther apart where there would be more.
     """
-    columns = {name: np.frombuffer(values) for name, values in recorder.columns.items()}
-    places = np.stack([columns[f"proxy_{axis}"] for axis in ("east", "north", "up")], axis=1)
-    force = np.sqrt(sum(columns[f"force_{axis}"] ** 2 for axis in "xyz"))
+    places, force = data.places, data.force
     ways = []
-    for first, last in _touches(columns["feature"] != 0.0, places[:, 0], frame):
+    for first, last in _touches(data.in_contact, places[:, 0], frame):
         kept = _kept(places[first:last, :2], spacing) + first
         if len(kept) > 1:  # a single point has no direction to draw
             ways.append((kept, _distances(places[kept], spacing)))
@@ -97,7 +91,7 @@ def _filled(values: Numbers, along: Numbers, share: float) -> Numbers:
     return filled if values.ndim > 1 else filled[:, 0]
 
 
-def _lifted(places: Numbers, frame: TerrainFrame, ground: Ground) -> Numbers:
+def _lifted(places: Numbers, frame: TerrainFrame, ground: Highest) -> Numbers:
     """Lift the points that the ground would bury."""
     places[:, 2] = np.fmax(places[:, 2], ground(frame.on_map(places[:, 0]), places[:, 1]))
     return places

@@ -2,15 +2,31 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import bpy
+import numpy as np
 
 from ..terrain.progress import Tell
 from ..touch.placement import Placement
 from .ground import Ground
+from .kept_take import keep_take, recall_start_frame, recall_take, take_action
+from .keys import take_keys
+from .markers import mark_modes
+from .merge import merged
+from .nla import push_down
+from .scene_view import SceneView
+from .take import COLLECTION, home, key_take, new_take
 from .take_data import TakeData
 from .take_options import TakeOptions
+from .trail_curve import curve_trail
+from .trail_path import contact_trails
+from .trail_points import point_trail
+from .trail_tube import trail_radius, tube_trail
+
+TRAIL = "haptic_terrain_trail"
+"""ID property of a take's trails: which kind it is."""
 
 
 @dataclass(frozen=True)
@@ -18,13 +34,20 @@ class Take:
     """What a take left in the scene."""
 
     take: bpy.types.Object
-    trail: bpy.types.Object | None
-    """The tube."""
+    trails: dict[str, bpy.types.Object]
+    """By kind; none where nothing was touched."""
     keyframes: int
     """On each of its location curves."""
     seconds: float
     dropped: int
     """Ticks that were lost because Blender was busy for longer than the ring lasts."""
+    cut_seconds: float
+    """At the end, that lie beyond Blender's last frame and have no keys."""
+
+    @property
+    def trail(self) -> bpy.types.Object | None:
+        """The tube."""
+        return self.trails.get("TUBE")
 
 
 def write_take(
@@ -43,5 +66,67 @@ def write_take(
 
     Raises:
         ValueError: there is no tick.
+        KeptTakeError: ticks are to be appended to a take that has none any more.
+        OtherTerrainError: ticks are to be appended to a take of another terrain.
     """
-    raise NotImplementedError
+    if not len(data):
+        raise ValueError("The take is empty: nothing was written.")
+    rate = scene.render.fps / scene.render.fps_base
+    start_frame = options.start_frame
+    older = take_action(options.onto)
+    if older is not None and options.append:
+        old_start = recall_start_frame(older)
+        data = merged(recall_take(older), data, (start_frame - old_start) / rate)
+        start_frame = min(start_frame, old_start)
+    keys = take_keys(
+        data,
+        SceneView(placement.frame, np.array(placement.matrix)),
+        ground.highest,
+        start_frame=start_frame,
+        frames_per_second=rate,
+        bound=options.bound_mm / 1000.0 if options.reduced else None,
+        tell=lambda share: tell(0.5 * share),
+    )
+    tell(0.5)
+    # All that may fail is made before anything that was there is changed.
+    trails = dict(_trails(data, placement, ground, options))
+    tell(0.8)
+    onto = options.onto if older is not None else None
+    take = onto or new_take(scene, placement, placement.longest_side(ground.grid.layout))
+    action = key_take(take, keys, data.about.models)
+    keep_take(action, data, start_frame, ticks=options.keep_ticks)
+    # So that the take plays to its end; a longer range that was chosen stays.
+    scene.frame_end = max(scene.frame_end, keys.last_frame)
+    if options.markers:
+        mark_modes(scene, take, keys.mode)
+    if options.nla:
+        push_down(take, action)
+    _place_trails(home(take, scene), trails, placement)
+    return Take(take, trails, len(keys.location), data.seconds, data.about.lost_ticks, keys.cut_seconds)
+
+
+def _place_trails(
+    collection: bpy.types.Collection, trails: dict[str, bpy.types.Object], placement: Placement
+) -> None:
+    """Put the trails beside their take, in place of those that it had."""
+    if collection.get(COLLECTION):
+        for old in [thing for thing in collection.objects if thing.get(TRAIL)]:
+            bpy.data.objects.remove(old)
+    for kind, trail in trails.items():
+        trail[TRAIL] = kind
+        trail.matrix_world = placement.matrix
+        collection.objects.link(trail)
+
+
+def _trails(
+    data: TakeData, placement: Placement, ground: Ground, options: TakeOptions
+) -> Iterator[tuple[str, bpy.types.Object]]:
+    frame, layout = placement.frame, ground.grid.layout
+    if options.trails & {"TUBE", "CURVE"}:
+        trails = contact_trails(data, frame, ground.highest, spacing=trail_radius(layout))
+        if trails and "TUBE" in options.trails:
+            yield "TUBE", tube_trail(trails, frame, layout)
+        if trails and "CURVE" in options.trails:
+            yield "CURVE", curve_trail(trails, frame, layout)
+    if "POINTS" in options.trails:
+        yield "POINTS", point_trail(data, frame, ground.highest)

@@ -10,7 +10,7 @@ import bpy
 
 @contextmanager
 def undone_on_failure() -> Iterator[None]:
-    """Remove the objects, meshes, materials and actions that were made inside when that fails."""
+    """Remove the objects with their data, the materials, actions and collections that were made inside when that fails."""
     before = {thing.session_uid for thing in _things()}
     try:
         yield
@@ -20,5 +20,13 @@ def undone_on_failure() -> Iterator[None]:
 
 
 def _things() -> Iterator[bpy.types.ID]:
-    for things in (bpy.data.objects, bpy.data.meshes, bpy.data.materials, bpy.data.actions):
+    data = bpy.data
+    for things in (
+        data.objects,
+        data.meshes,
+        data.curves,
+        data.materials,
+        data.actions,
+        data.collections,
+    ):
         yield from things

@@ -76,7 +76,22 @@ FREE = Shape("Haptic Cursor Free", SKY_BLUE, _build_sphere)
 CONTACT = Shape("Haptic Cursor Contact", BLUISH_GREEN, _build_cone, is_smooth=False)
 PAN = Shape("Haptic Cursor Pan", VERMILLION, _build_flat)
 ZOOM = Shape("Haptic Cursor Zoom", REDDISH_PURPLE, _build_tall)
-TAKE = Shape("Haptic Take", (1.0, 0.75, 0.1), _build_cone, is_smooth=False)
+
+TAKE_COLOURS: tuple[Colour, ...] = (
+    (1.0, 0.75, 0.1),
+    (0.0, 0.168, 0.445),
+    (0.9, 0.9, 0.9),
+    (0.791, 0.347, 0.0),
+    (0.03, 0.03, 0.03),
+)
+"""Yellow, then blue, white, orange and black: none is the cursor's, and everyone tells them apart."""
+
+
+def take_shape(number: int) -> Shape:
+    """The look of a scene's takes: a cone like the cursor in contact, each in the next colour."""
+    number %= len(TAKE_COLOURS)
+    name = f"Haptic Take {number + 1}" if number else "Haptic Take"
+    return Shape(name, TAKE_COLOURS[number], _build_cone, is_smooth=False)
 
 
 def shape_of(mode: Mode, *, in_contact: bool) -> Shape:

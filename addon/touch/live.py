@@ -100,6 +100,15 @@ class Touch:
     readout: Readout | None = None
 
 
+@dataclass(frozen=True)
+class Played:
+    """How a scene was played before a take began."""
+
+    sync_mode: str
+    frame_end: int
+    uses_preview_range: bool
+
+
 @dataclass
 class Recording:
     """A take in the making; it outlives the session, so that a fault does not lose it."""
@@ -109,12 +118,18 @@ class Recording:
     placement: Placement
     """Of the terrain when the take began, for when it is gone at the end."""
     start_frame: int
+    source: str
+    """Name of the file with the terrain's samples."""
+    digest: str
+    """Of that file, as ``SourceStamp`` has it; empty where it is not known."""
     dropped_before: int
     """Ticks that the session had lost when the take began."""
     dropped: int = 0
     """Ticks that the take lost."""
     models: list[str] = field(default_factory=list)
     """Contact models that answered, in their order."""
+    played: Played | None = None
+    """What to put back when the take ends; ``None`` where the timeline does not play along."""
 
 
 @dataclass

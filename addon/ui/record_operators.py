@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import bpy
 
-from ..record.recording import RecordingError, start_recording, stop_recording
+from ..record.about_properties import OtherTerrainError
+from ..record.kept_take import KeptTakeError
+from ..record.recording import RecordingError, discard_recording, start_recording, stop_recording
 from ..touch.live import RENDERING, live
 from .operator_status import OperatorStatus
 
@@ -43,7 +45,7 @@ class HAPTIC_TERRAIN_OT_record_stop(bpy.types.Operator):
 
     trail: bpy.props.BoolProperty(
         name="Trail",
-        description="Also draw a trail over the terrain, coloured by force",
+        description="Also draw trails over the terrain",
         default=True,
         options={"SKIP_SAVE"},
     )
@@ -64,6 +66,9 @@ class HAPTIC_TERRAIN_OT_record_stop(bpy.types.Operator):
         except RecordingError as error:
             self.report({"WARNING"}, str(error))
             return {"CANCELLED"}
+        except (KeptTakeError, OtherTerrainError) as error:
+            self.report({"ERROR"}, f"{error} The recording waits: choose New Take in Write To, and stop again.")
+            return {"CANCELLED"}
         self.report(
             {"INFO"}, f"{take.take.name}: {take.seconds:.1f} s, {take.keyframes:,} keys on each curve"
         )
@@ -72,4 +77,33 @@ class HAPTIC_TERRAIN_OT_record_stop(bpy.types.Operator):
                 {"WARNING"},
                 f"{take.dropped:,} ticks were lost while Blender was busy: the take holds still there",
             )
+        if take.cut_seconds:
+            self.report(
+                {"WARNING"},
+                f"The last {take.cut_seconds:.1f} s lie beyond Blender's last frame and have no keys: "
+                "start from an earlier frame",
+            )
+        return {"FINISHED"}
+
+
+class HAPTIC_TERRAIN_OT_record_discard(bpy.types.Operator):
+    """Let go of the take that is being recorded"""
+
+    bl_idname = "haptic_terrain.record_discard"
+    bl_label = "Discard Recording"
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        """Only while a take is being recorded."""
+        if live.recording is None:
+            cls.poll_message_set("No take is being recorded")
+        return live.recording is not None
+
+    def invoke(self, context: bpy.types.Context, event: bpy.types.Event) -> OperatorStatus:
+        """Ask first: it cannot be had back."""
+        return context.window_manager.invoke_confirm(self, event)
+
+    def execute(self, context: bpy.types.Context) -> OperatorStatus:
+        """Forget it."""
+        discard_recording(context)
         return {"FINISHED"}

@@ -5,6 +5,8 @@ from __future__ import annotations
 import bpy
 from proxygraph import MODELS, model_descriptions
 
+from ..record.kept_take import is_take
+from ..record.take_options import BOUND_MM
 from ..touch.control import keep_control
 from ..touch.live import live
 from ..touch.model import keep_model
@@ -82,6 +84,67 @@ class HapticTerrainSettings(bpy.types.PropertyGroup):
     )
     trail: bpy.props.BoolProperty(
         name="Trail",
-        description="Draw a trail over the terrain, coloured by force, when a recording stops",
+        description="Draw trails over the terrain when a recording stops",
         default=True,
+    )
+    trail_kinds: bpy.props.EnumProperty(
+        name="Trails",
+        description="What a recording leaves on the terrain; hold Shift to choose several",
+        items=[
+            ("TUBE", "Tube", "A mesh that is coloured by the force"),
+            ("CURVE", "Curve", "A curve that is thick where the force was strong"),
+            ("POINTS", "Points", "A vertex for each tick with all its numbers, for Geometry Nodes"),
+        ],
+        options={"ENUM_FLAG"},
+        default={"TUBE"},
+    )
+    take_keys: bpy.props.EnumProperty(
+        name="Keys",
+        description="How many keys the curves of a take have",
+        items=[
+            ("FRAMES", "Every Frame", "A key at each frame"),
+            ("REDUCED", "Reduced", "The fewest keys that keep the point within the bound at every frame"),
+        ],
+    )
+    take_bound: bpy.props.FloatProperty(
+        name="Bound",
+        description="Millimetres of the hand's motion by which reduced keys may be away from what was felt",
+        default=BOUND_MM,
+        min=0.001,
+        max=100.0,
+    )
+    take_onto: bpy.props.EnumProperty(
+        name="Write To",
+        description="Which object gets a take",
+        items=[
+            ("NEW", "New Take", "Each take is an object of its own"),
+            ("REPLACE", "Replace", "The chosen take becomes this one"),
+            ("APPEND", "Append", "The chosen take gets these ticks, in place of what it had at their time"),
+        ],
+    )
+    take: bpy.props.PointerProperty(
+        name="Take",
+        description="The take that is replaced, or appended to",
+        type=bpy.types.Object,
+        poll=lambda _settings, thing: is_take(thing),
+    )
+    take_markers: bpy.props.BoolProperty(
+        name="Markers",
+        description="Mark on the timeline where the hand began to pan or to zoom",
+        default=True,
+    )
+    take_nla: bpy.props.BoolProperty(
+        name="NLA Track",
+        description="Push the take's action down onto an NLA track of its own",
+        default=False,
+    )
+    keep_ticks: bpy.props.BoolProperty(
+        name="Keep Ticks",
+        description="Keep all ticks of a take in the .blend file (10 MB a minute): for export, and to append to it",
+        default=True,
+    )
+    play_timeline: bpy.props.BoolProperty(
+        name="Play Timeline",
+        description="Play the animation from the current frame on while a take is recorded",
+        default=False,
     )

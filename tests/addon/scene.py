@@ -56,6 +56,7 @@ def curves_of(thing: bpy.types.Object) -> list[bpy.types.FCurve]:
 
 
 def keys_of(thing: bpy.types.Object) -> list[list[tuple[float, float, str]]]:
-    """Read (frame, value, interpolation) of each key, for x, y and z."""
-    curves = sorted(curves_of(thing), key=lambda curve: curve.array_index)
+    """Read (frame, value, interpolation) of each key of an object's location, for x, y and z."""
+    location = (curve for curve in curves_of(thing) if curve.data_path == "location")
+    curves = sorted(location, key=lambda curve: curve.array_index)
     return [[(key.co.x, key.co.y, key.interpolation) for key in curve.keyframe_points] for curve in curves]

@@ -20,7 +20,6 @@ import addon
 from addon.formats import projections, read_grid
 from addon.formats.body import bodies
 from addon.formats.profiles import profile
-from addon.record import resample
 from addon.terrain import frame
 from addon.touch import recorder
 print(read_grid(Path(sys.argv[1])).samples)
