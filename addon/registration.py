@@ -21,7 +21,7 @@ from .ui import (
     stylus_operators,
     touch_operators,
 )
-from .ui.panels import colours, georeference, profile
+from .ui.panels import bake, colours, georeference, profile
 
 CLASSES: tuple[type, ...] = (
     settings.HapticTerrainSettings,
@@ -37,6 +37,8 @@ CLASSES: tuple[type, ...] = (
     record_operators.HAPTIC_TERRAIN_OT_record_stop,
     record_operators.HAPTIC_TERRAIN_OT_record_discard,
     bake_operators.HAPTIC_TERRAIN_OT_bake,
+    bake_operators.HAPTIC_TERRAIN_OT_follow_ground,
+    bake_operators.HAPTIC_TERRAIN_OT_leave_ground,
     place_operators.HAPTIC_TERRAIN_OT_go_to,
     place_operators.HAPTIC_TERRAIN_OT_show_curvature,
     place_operators.HAPTIC_TERRAIN_OT_colour_by,
@@ -50,6 +52,8 @@ CLASSES: tuple[type, ...] = (
     panel.HAPTIC_TERRAIN_PT_touch,
     panel.HAPTIC_TERRAIN_PT_safety,
     panel.HAPTIC_TERRAIN_PT_record,
+    bake.HAPTIC_TERRAIN_PT_bake,
+    bake.HAPTIC_TERRAIN_PT_follow_ground,
 )
 
 

@@ -28,10 +28,10 @@ from ..touch.workspace import whole_map
 from .animated import Animated, AnimationError, Frames, Path, check_frames, found, samples
 from .bake_contact import Answer, felt
 from .bake_goals import goals_at, tick_times, unwrapped
+from .chosen_options import chosen_options
 from .ground import Ground
 from .stand import Stand
 from .take_data import Numbers, TakeAbout, TakeData
-from .take_options import TakeOptions
 from .write_take import Take, write_take
 
 Result = TypeVar("Result")
@@ -126,12 +126,17 @@ def baked(bake: Bake) -> Generator[float, None, Baked]:
     return Baked(data, path, stand, ground, _notes(bake, data, places))
 
 
-def write_baked(bake: Bake, result: Baked, options: TakeOptions, tell: Tell) -> Take:
-    """Put the take into the scene; what cannot be finished leaves nothing there."""
+def write_baked(bake: Bake, result: Baked, tell: Tell = lambda _share: None) -> Take:
+    """Put the take into the scene as its settings say; what cannot be finished leaves nothing there.
+
+    Raises:
+        AnimationError: the scene is gone.
+        ValueError: it cannot be appended to the take that is chosen for that.
+    """
+    scene = found(bake.scene)
+    options = chosen_options(scene, bake.frames.first)
     with undone_on_failure():
-        return write_take(
-            found(bake.scene), result.data, result.stand.placement, result.ground, options, tell
-        )
+        return write_take(scene, result.data, result.stand.placement, result.ground, options, tell)
 
 
 def opened_ground(bake: Bake) -> tuple[KeptTerrain, Ground]:

@@ -8,6 +8,8 @@ swing past its place. Only sums, products and quotients of single numbers: the s
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from .take_data import RATE, Numbers
@@ -27,18 +29,18 @@ def unwrapped(east: Numbers, turn: float | None) -> Numbers:
 
 
 def tick_times(frames: int, frames_per_second: float) -> Numbers:
-    """Seconds from the first frame to the last, a thousandth apart.
+    """Seconds from the first frame on, a thousandth apart, until the last frame is reached.
 
     Args:
         frames: from the first to the last, at least 1.
     """
-    # A thousandth of a tick: a rate such as 24000/1001 is rounded, which must not lose the last tick.
-    ticks = int(frames / frames_per_second * RATE + 1e-3) + 1
+    # A thousandth of a tick: a rate such as 24000/1001 is rounded, which must not add a tick.
+    ticks = math.ceil(frames / frames_per_second * RATE - 1e-3) + 1
     return np.arange(ticks, dtype=np.float64) / RATE
 
 
 def goals_at(times: Numbers, places: Numbers, samples_per_second: float) -> Numbers:
-    """Find the goal at each time, n x 3.
+    """Find the goal at each time, n x 3; after the last sample it stays there.
 
     Args:
         times: seconds from the first sample on.

@@ -24,6 +24,7 @@ from .bake import Bake, baked, frame_rate, opened_ground, path_of, terrain_place
 from .curves import ensure_fcurve, write_keys
 from .footing import AROUND, MIDDLE, headings, level, plane, resting, turned, unit
 from .ground import Ground
+from .keys import Keys
 from .resample import keys_before_jumps, ticks_at_frames
 from .stand import Stand
 from .take_data import Numbers
@@ -56,14 +57,12 @@ class Follow:
 
 @dataclass(frozen=True)
 class Followed:
-    """Where the object is to stand: a row for each frame."""
+    """Where the object is to stand, with a key for each frame."""
 
-    places: Numbers
-    """Scene coordinates, n x 3."""
-    rotations: Numbers | None
-    """Quaternions, n x 4; ``None`` where it keeps its own."""
-    held: list[bool]
-    """Whether the next frame lies beyond the seam of a map that wraps."""
+    places: Keys
+    """Scene coordinates."""
+    rotations: Keys | None
+    """Quaternions; ``None`` where it keeps its own."""
     beside: int
     """Frames in which there is no ground under the object, and it stays as it is."""
 
@@ -98,15 +97,22 @@ def write_followed(bake: Bake, result: Followed) -> bpy.types.Object:
         scene.collection.objects.link(empty)
         action = bpy.data.actions.new(empty.name)
         empty.animation_data_create().action = action
-        frames = [float(bake.frames.first + number) for number in range(len(result.places))]
-        for path, values in (("location", result.places), ("rotation_quaternion", result.rotations)):
-            for index, column in enumerate(() if values is None else values.T.tolist()):
-                write_keys(ensure_fcurve(action, empty, path, index), frames, column, result.held)
+        curves = {"location": result.places}
+        if result.rotations is not None:
+            curves["rotation_quaternion"] = result.rotations
+        for path, keys in curves.items():
+            for axis in range(keys.values.shape[1]):
+                write_keys(ensure_fcurve(action, empty, path, axis), keys, axis)
     release(thing)
     _tie(thing, "COPY_LOCATION", empty)
     if result.rotations is not None:
         _tie(thing, "COPY_ROTATION", empty)
     return empty
+
+
+def is_following(thing: bpy.types.Object) -> bool:
+    """Whether an object is held on the ground."""
+    return bool(_ties(thing))
 
 
 def release(thing: bpy.types.Object) -> bool:
@@ -149,6 +155,7 @@ def _muted(thing: bpy.types.Object) -> Iterator[None]:
 class _Way:
     """What an object does by itself: a row for each frame."""
 
+    bake: Bake
     stand: Stand
     ground: Ground
     moving: list[Sample]
@@ -160,16 +167,14 @@ def _own_way(bake: Bake) -> Generator[float, None, _Way]:
     kept, ground = opened_ground(bake)
     path = yield from path_of(bake)
     stand = usable_stand(bake.terrain, kept.frame, path)
-    return _Way(stand, ground, path.moving, terrain_places(stand, path))
+    return _Way(bake, stand, ground, path.moving, terrain_places(stand, path))
 
 
 def _proxy_way(bake: Bake) -> Generator[float, None, _Way]:
     result = yield from baked(bake)
+    ticks = ticks_at_frames(result.data.columns["time"], frame_rate(found(bake.scene)))
     moving = result.path.moving[:: bake.frames.per_frame]
-    ticks = ticks_at_frames(result.data.columns["time"].tolist(), frame_rate(found(bake.scene)))
-    # A last frame between two ticks has none of its own.
-    ticks += ticks[-1:] * (len(moving) - len(ticks))
-    return _Way(result.stand, result.ground, moving, result.data.places[ticks])
+    return _Way(bake, result.stand, result.ground, moving, result.data.places[ticks])
 
 
 def _standing(way: _Way, follow: Follow) -> Followed:
@@ -190,12 +195,20 @@ def _standing(way: _Way, follow: Follow) -> Followed:
     standing = patch[:, MIDDLE] if not follow.width and not follow.length else resting(patch, normal, up)
     standing = standing + normal * follow.offset
     standing[~is_there] = np.array([sample.place for sample in way.moving])[~is_there]
+    rotations = _rotations(way, forward, up, normal, follow)
     return Followed(
-        standing,
-        _rotations(way, forward, up, normal, follow),
-        keys_before_jumps([stand.frame.turns(east) for east in places[:, 0].tolist()]),
+        _keys(way, standing),
+        None if rotations is None else _keys(way, rotations),
         int((~is_there).sum()),
     )
+
+
+def _keys(way: _Way, values: Numbers) -> Keys:
+    """A key in each frame, held where the next one lies beyond the seam of a map that wraps."""
+    frames = way.bake.frames.first + np.arange(len(values))
+    turn = way.stand.frame.turn
+    turns = np.zeros(len(values)) if turn is None else np.floor(way.places[:, 0] / turn)
+    return Keys(frames, values.astype(np.float32), keys_before_jumps(turns, np.zeros(len(values))))
 
 
 def _patch(way: _Way, at: Numbers, forward: Numbers, up: Numbers, follow: Follow) -> Numbers:

@@ -33,7 +33,9 @@ def keep_take(action: bpy.types.Action, data: TakeData, start_frame: int, *, tic
     action[KEY] = {
         START: start_frame,
         ABOUT: json.dumps(about_properties(data.about)),
-        COLUMNS: {name: np.ascontiguousarray(values) for name, values in data.columns.items()} if ticks else {},
+        COLUMNS: {name: np.ascontiguousarray(values) for name, values in data.columns.items()}
+        if ticks
+        else {},
     }
 
 

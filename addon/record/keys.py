@@ -91,7 +91,9 @@ def take_keys(
             return view.missing(asked, highest, 0.5 * CLEARANCE) == 0.0
 
         felt_at = view.to_scene(places)
-        location = _in_runs(held, lambda run: fewest_keys(_f64(points[run]), felt_at[run], room[run], clear), tell)
+        location = _in_runs(
+            held, lambda run: fewest_keys(_f64(points[run]), felt_at[run], room[run], clear), tell
+        )
         force, depth = (_near(values, held) for values in (there.force, there.depth))
         modes = np.flatnonzero(np.append(True, np.diff(mode) != 0.0))
     return TakeKeys(

@@ -37,9 +37,7 @@ class SceneView:
     def units_per_metre_up(self) -> float:
         """The same of heights, which are exaggerated."""
         return (
-            self.frame.units_per_metre
-            * self.frame.exaggeration
-            * float(np.linalg.norm(self.matrix[:3, 2]))
+            self.frame.units_per_metre * self.frame.exaggeration * float(np.linalg.norm(self.matrix[:3, 2]))
         )
 
     def to_scene(self, places: Numbers) -> Numbers:
@@ -59,7 +57,9 @@ class SceneView:
         east, north, up = places.T
         lifted = np.stack((east, north, np.fmax(up, highest(self.frame.on_map(east), north))), axis=1)
         points = self.to_scene(lifted)
-        for _rounding in range(8):  # a lift is itself rounded, and moves the point sideways where a map is bent
+        for _rounding in range(
+            8
+        ):  # a lift is itself rounded, and moves the point sideways where a map is bent
             rounded = points.astype(np.float32)
             missing = self.missing(rounded, highest)
             if not missing.any():

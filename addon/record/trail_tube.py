@@ -31,9 +31,7 @@ COLOURS: tuple[tuple[float, Colour], ...] = (
 """From a light to a strong touch: none of them is a colour of the terrain."""
 
 
-def tube_trail(
-    trails: Sequence[Trail], frame: TerrainFrame, layout: GridLayout
-) -> bpy.types.Object:
+def tube_trail(trails: Sequence[Trail], frame: TerrainFrame, layout: GridLayout) -> bpy.types.Object:
     """Make the tube, in the terrain's own coordinates."""
     radius = trail_radius(layout) * frame.units_per_metre
     return bpy.data.objects.new(NAME, _mesh(tube(trails, frame, radius)))

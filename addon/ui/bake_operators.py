@@ -1,31 +1,22 @@
-"""Bake Touch: an animated object feels the terrain."""
+"""Bake Touch and Follow the Ground: what is animated meets the terrain."""
 
 from __future__ import annotations
 
-import time
 from collections.abc import Generator
 
 import bpy
 
-from ..formats import FormatError
-from ..record.animated import AnimationError
-from ..record.bake import SAMPLES_PER_FRAME, Bake, Baked, bake_of, baked, write_baked
-from ..record.take_options import TakeOptions, TrailKind
-from ..terrain.kept import KeptError
-from ..terrain.progress import Tell, progress
-from ..touch.live import live
+from ..record.animated import Animated, AnimationError
+from ..record.bake import SAMPLES_PER_FRAME, Baked, bake_of, baked, write_baked
+from ..record.follow_ground import Follow, Followed, followed, release, write_followed
+from ..terrain.progress import Tell
 from .goal_choices import GoalChoices, chosen_frames, chosen_goal, poll_goal, terrain_under
+from .in_turns import InTurns
 from .operator_status import OperatorStatus
 
-TURN_SECONDS = 0.05
-"""Of baking between two looks at the keys."""
 
-EXPECTED = (AnimationError, FormatError, KeptError, ValueError)
-"""What a person can mend."""
-
-
-class HAPTIC_TERRAIN_OT_bake(bpy.types.Operator, GoalChoices):
-    """Let an animated object, or the end of a bone, feel the terrain, and make a take of it"""
+class HAPTIC_TERRAIN_OT_bake(InTurns, bpy.types.Operator, GoalChoices):
+    """Let an animated object, or the end of a bone, feel the terrain, and write a take of it"""
 
     bl_idname = "haptic_terrain.bake"
     bl_label = "Bake Touch"
@@ -51,132 +42,125 @@ class HAPTIC_TERRAIN_OT_bake(bpy.types.Operator, GoalChoices):
         min=1,
         max=100,
     )
-    trail: bpy.props.BoolProperty(
-        name="Trail", description="Also draw a trail over the terrain, coloured by force", default=True
-    )
-    reduced: bpy.props.BoolProperty(
-        name="Fewest Keys",
-        description="Leave out keys without which the point stays within a millimetre of the hand's motion",
-        default=False,
-    )
-
-    _work: Generator[float, None, Baked] | None = None
-    _timer: bpy.types.Timer | None = None
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
         """Only over a terrain."""
         return poll_goal(cls, context)
 
-    def execute(self, context: bpy.types.Context) -> OperatorStatus:
-        """Bake at once, for scripts."""
-        try:
-            bake = self._bake(context)
-            with progress(context) as tell:
-                work = baked(bake)
-                result = _finished(work, tell)
-                return self._write(bake, result, tell)
-        except EXPECTED as error:
-            self.report({"ERROR"}, str(error))
-            return {"CANCELLED"}
-
-    def invoke(self, context: bpy.types.Context, event: bpy.types.Event) -> OperatorStatus:
-        """Bake in turns, so that a person sees how far it is and can cancel it."""
-        if context.window is None:
-            return self.execute(context)
-        try:
-            self._what = self._bake(context)
-        except EXPECTED as error:
-            self.report({"ERROR"}, str(error))
-            return {"CANCELLED"}
-        self._work = baked(self._what)
-        manager = context.window_manager
-        self._timer = manager.event_timer_add(TURN_SECONDS / 2.0, window=context.window)
-        manager.progress_begin(0.0, 1.0)
-        manager.modal_handler_add(self)
-        return {"RUNNING_MODAL"}
-
-    def modal(self, context: bpy.types.Context, event: bpy.types.Event) -> OperatorStatus:
-        """Bake on; Esc cancels, and nothing else gets through meanwhile: the frame is not the person's."""
-        if self._work is None:
-            return {"CANCELLED"}
-        if event.type == "ESC" and event.value == "PRESS":
-            self._clear(context)
-            self.report({"INFO"}, "Bake cancelled: nothing was added")
-            return {"CANCELLED"}
-        if event.type != "TIMER" or live.rendering:
-            return {"RUNNING_MODAL"}
-        try:
-            result = self._turn(context)
-            if result is None:
-                return {"RUNNING_MODAL"}
-            self._clear(context)
-            with progress(context) as tell:
-                return self._write(self._what, result, tell)
-        except EXPECTED as error:
-            self.report({"ERROR"}, str(error))
-        except BaseException:
-            self._clear(context)
-            raise
-        self._clear(context)
-        return {"CANCELLED"}
-
-    def cancel(self, context: bpy.types.Context) -> None:
-        """Blender takes the bake away: another file is loaded, or the window is closed."""
-        self._clear(context)
-
-    def _bake(self, context: bpy.types.Context) -> Bake:
-        return bake_of(
+    def work(self, context: bpy.types.Context) -> Generator[float, None, Baked]:
+        """Compute the contact."""
+        self._bake = bake_of(
             context,
             chosen_goal(context, self.goal, self.bone, self.tip),
             terrain_under(context, self.terrain),
             chosen_frames(context, self.frame_start, self.frame_end, self.samples),
         )
+        return baked(self._bake)
 
-    def _turn(self, context: bpy.types.Context) -> Baked | None:
-        """Bake for a moment; gives what was felt once all is."""
-        end = time.perf_counter() + TURN_SECONDS
-        share = 0.0
-        try:
-            while self._work is not None and time.perf_counter() < end:
-                share = next(self._work)
-        except StopIteration as done:
-            result: Baked = done.value
-            return result
-        context.window_manager.progress_update(share)
-        if context.workspace is not None:
-            context.workspace.status_text_set(f"{self._what.goal.name}: {share:.0%} baked (Esc cancels)")
-        return None
-
-    def _clear(self, context: bpy.types.Context) -> None:
-        """Take timer and display back; closing the work restores the scene's frame."""
-        manager = context.window_manager
-        if self._work is not None:
-            self._work.close()
-        if self._timer is not None:
-            manager.event_timer_remove(self._timer)
-        manager.progress_end()
-        if context.workspace is not None:
-            context.workspace.status_text_set(None)
-        self._work = self._timer = None
-
-    def _write(self, bake: Bake, result: Baked, tell: Tell) -> OperatorStatus:
-        trails: frozenset[TrailKind] = frozenset({"TUBE"}) if self.trail else frozenset()
-        options = TakeOptions(bake.frames.first, reduced=self.reduced, trails=trails)
-        take = write_baked(bake, result, options, tell)
-        self.report(
-            {"INFO"}, f"{take.take.name}: {take.seconds:.1f} s of {bake.goal.name}, {take.keyframes:,} keys"
-        )
+    def write(self, result: Baked, tell: Tell) -> None:
+        """Write the take, and tell what came of it."""
+        take = write_baked(self._bake, result, tell)
+        goal = self._bake.goal.name
+        self.report({"INFO"}, f"{take.take.name}: {take.seconds:.1f} s of {goal}, {take.keyframes:,} keys")
         for note in result.notes:
             self.report({"WARNING"}, note)
+
+
+class HAPTIC_TERRAIN_OT_follow_ground(InTurns, bpy.types.Operator, GoalChoices):
+    """Keep an object on the terrain along its own animated path; once more, after the path was changed"""
+
+    bl_idname = "haptic_terrain.follow_ground"
+    bl_label = "Follow the Ground"
+    bl_options = {"REGISTER", "UNDO"}  # noqa: RUF012
+
+    path: bpy.props.EnumProperty(
+        name="Over",
+        items=[
+            ("OWN", "Own Place", "The ground straight under the object"),
+            ("PROXY", "Contact", "Where contact holds the object back, as Bake Touch has it"),
+        ],
+    )
+    ground: bpy.props.EnumProperty(
+        name="Ground",
+        items=[
+            ("HIGHEST", "Higher of Both", "Never buried: neither in what is shown nor in the whole grid"),
+            ("REAL", "Every Sample", "The whole grid, of which fewer samples are shown"),
+            ("SHOWN", "As Shown", "The coarser ground that is seen"),
+        ],
+    )
+    offset: bpy.props.FloatProperty(
+        name="Offset", description="Of the object's origin above the ground", subtype="DISTANCE"
+    )
+    oriented: bpy.props.BoolProperty(name="Tilt", description="As the ground is tilted", default=True)
+    heading: bpy.props.EnumProperty(
+        name="Heading",
+        items=[
+            ("OWN", "Own", "As the object is turned by itself"),
+            ("PATH", "Along the Path", "The object's Y axis looks where it goes"),
+        ],
+    )
+    footprint: bpy.props.FloatVectorProperty(
+        name="Footprint",
+        description="Width and length (X and Y) of what stands on the ground; 0 is a point",
+        subtype="XYZ_LENGTH",
+        size=2,
+        min=0.0,
+    )
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        """Only over a terrain."""
+        return poll_goal(cls, context)
+
+    def work(self, context: bpy.types.Context) -> Generator[float, None, Followed]:
+        """Find the ground under the object."""
+        goal = chosen_goal(context, self.goal)
+        per_frame = SAMPLES_PER_FRAME if self.path == "PROXY" else 1
+        self._bake = bake_of(
+            context,
+            Animated(goal.thing),
+            terrain_under(context, self.terrain),
+            chosen_frames(context, self.frame_start, self.frame_end, per_frame),
+        )
+        follow = Follow(
+            self.path,
+            self.ground,
+            self.offset,
+            self.oriented,
+            self.heading,
+            self.footprint[0],
+            self.footprint[1],
+        )
+        return followed(self._bake, follow)
+
+    def write(self, result: Followed, tell: Tell) -> None:
+        """Tie the object to the ground, and tell what came of it."""
+        write_followed(self._bake, result)
+        name, frames = self._bake.goal.name, len(result.places)
+        self.report({"INFO"}, f"{name} follows the ground in {frames:,} frames")
+        if result.beside:
+            self.report(
+                {"WARNING"},
+                f"{name} is not over the ground in {result.beside:,} frames: there it stays as it is",
+            )
+
+
+class HAPTIC_TERRAIN_OT_leave_ground(bpy.types.Operator, GoalChoices):
+    """Let an object go its own way again"""
+
+    bl_idname = "haptic_terrain.leave_ground"
+    bl_label = "Leave the Ground"
+    bl_options = {"REGISTER", "UNDO"}  # noqa: RUF012
+
+    def execute(self, context: bpy.types.Context) -> OperatorStatus:
+        """Remove the constraints, and the Empty with the curves."""
+        try:
+            goal = chosen_goal(context, self.goal).thing.find()
+        except AnimationError as error:
+            self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        if goal is None or not release(goal):
+            self.report({"WARNING"}, "It does not follow the ground")
+            return {"CANCELLED"}
         return {"FINISHED"}
-
-
-def _finished(work: Generator[float, None, Baked], tell: Tell) -> Baked:
-    """Bake to the end."""
-    try:
-        while True:
-            tell(next(work))
-    except StopIteration as done:
-        result: Baked = done.value
-        return result
