@@ -32,17 +32,12 @@ def plane(ground: Numbers, up: Numbers) -> Numbers:
     return np.where(dot(normal, up)[:, None] < 0.0, -normal, normal)
 
 
-def resting(ground: Numbers, normal: Numbers, up: Numbers) -> Numbers:
-    """Where the middles of planes come to rest that bury no point of the ground under them, n x 3.
-
-    Args:
-        ground: at ``AROUND``, n x 9 x 3.
-        normal: of the planes, n x 3.
-        up: away from the ground, unit vectors, n x 3: the planes are lifted along them.
-    """
-    middle = ground[:, MIDDLE]
-    above = np.max(np.sum((ground - middle[:, None]) * normal[:, None], axis=2), axis=1)
-    return np.asarray(middle + up * (above / dot(normal, up))[:, None])
+def tilts(up: Numbers, normal: Numbers) -> Numbers:
+    """The smallest rotations that bring ``up`` to ``normal``, n x 3 x 3: Rodrigues' formula."""
+    x, y, z = np.cross(up, normal).T
+    none = np.zeros(len(up))
+    across = np.stack((none, -z, y, z, none, -x, -y, x, none), axis=1).reshape(-1, 3, 3)
+    return np.asarray(np.eye(3) + across + across @ across / (1.0 + dot(up, normal))[:, None, None])
 
 
 def turned(forward: Numbers, normal: Numbers) -> Numbers:

@@ -8,7 +8,8 @@ import bpy
 
 from ..record.animated import Animated, AnimationError
 from ..record.bake import SAMPLES_PER_FRAME, Baked, bake_of, baked, write_baked
-from ..record.follow_ground import Follow, Followed, followed, release, write_followed
+from ..record.follow_ground import Followed, followed, release, write_followed
+from ..record.standing import Follow
 from ..terrain.progress import Tell
 from .goal_choices import GoalChoices, chosen_frames, chosen_goal, poll_goal, terrain_under
 from .in_turns import InTurns
