@@ -19,9 +19,10 @@ from .ui import (
     record_operators,
     settings,
     stylus_operators,
+    take_operators,
     touch_operators,
 )
-from .ui.panels import bake, colours, georeference, profile
+from .ui.panels import bake, colours, georeference, profile, take
 
 CLASSES: tuple[type, ...] = (
     settings.HapticTerrainSettings,
@@ -39,6 +40,8 @@ CLASSES: tuple[type, ...] = (
     bake_operators.HAPTIC_TERRAIN_OT_bake,
     bake_operators.HAPTIC_TERRAIN_OT_follow_ground,
     bake_operators.HAPTIC_TERRAIN_OT_leave_ground,
+    take_operators.HAPTIC_TERRAIN_OT_export_take,
+    take_operators.HAPTIC_TERRAIN_OT_import_take,
     place_operators.HAPTIC_TERRAIN_OT_go_to,
     place_operators.HAPTIC_TERRAIN_OT_show_curvature,
     place_operators.HAPTIC_TERRAIN_OT_colour_by,
@@ -54,6 +57,7 @@ CLASSES: tuple[type, ...] = (
     panel.HAPTIC_TERRAIN_PT_record,
     bake.HAPTIC_TERRAIN_PT_bake,
     bake.HAPTIC_TERRAIN_PT_follow_ground,
+    take.HAPTIC_TERRAIN_PT_take,
 )
 
 
@@ -63,6 +67,8 @@ def register() -> None:
         bpy.utils.register_class(cls)
     bpy.types.Scene.haptic_terrain = bpy.props.PointerProperty(type=settings.HapticTerrainSettings)
     bpy.types.TOPBAR_MT_file_import.append(import_operator.draw_menu)  # type: ignore[arg-type]
+    bpy.types.TOPBAR_MT_file_import.append(take_operators.draw_import)  # type: ignore[arg-type]
+    bpy.types.TOPBAR_MT_file_export.append(take_operators.draw_export)  # type: ignore[arg-type]
     # Extensions write nowhere else.
     cache.folder = Path(bpy.utils.extension_path_user(__package__, path="cache"))
     saving.register()
@@ -75,6 +81,8 @@ def unregister() -> None:
     keymap.unregister()
     timer.unregister()
     saving.unregister()
+    bpy.types.TOPBAR_MT_file_export.remove(take_operators.draw_export)  # type: ignore[arg-type]
+    bpy.types.TOPBAR_MT_file_import.remove(take_operators.draw_import)  # type: ignore[arg-type]
     bpy.types.TOPBAR_MT_file_import.remove(import_operator.draw_menu)  # type: ignore[arg-type]
     del bpy.types.Scene.haptic_terrain
     for cls in reversed(CLASSES):

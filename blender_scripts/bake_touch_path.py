@@ -44,7 +44,12 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--reduced", action="store_true", help="fewest keys within 1 mm of the hand's motion")
     parser.add_argument("--output", type=Path, metavar="FILE", help="of the scene with the take (.blend)")
     parser.add_argument(
-        "--take", type=Path, action="append", default=[], metavar="FILE", help=f"the take: {', '.join(TAKE_FILES)}"
+        "--take",
+        type=Path,
+        action="append",
+        default=[],
+        metavar="FILE",
+        help=f"the take: {', '.join(TAKE_FILES)}",
     )
     return parser
 

@@ -7,7 +7,7 @@ machine is.
 from __future__ import annotations
 
 from collections.abc import Generator
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from typing import TypeVar
 
 import bpy
@@ -31,7 +31,8 @@ from .bake_goals import goals_at, tick_times, unwrapped
 from .chosen_options import chosen_options
 from .ground import Ground
 from .stand import Stand
-from .take_data import Numbers, TakeAbout, TakeData
+from .take_data import Numbers, TakeData
+from .terrain_about import terrain_about
 from .write_take import Take, write_take
 
 Result = TypeVar("Result")
@@ -122,7 +123,9 @@ def baked(bake: Bake) -> Generator[float, None, Baked]:
         **asdict(bake.model),
     )
     columns = yield from _shares(felt(answer, times, goals), SAMPLING, 1.0)
-    data = TakeData(columns, _about(bake, kept, answer))
+    about = terrain_about(found(bake.terrain), kept)
+    about = replace(about, workspace_width=answer.workspace_width, models=(answer.model,))
+    data = TakeData(columns, about)
     return Baked(data, path, stand, ground, _notes(bake, data, places))
 
 
@@ -201,23 +204,6 @@ def _window(grid: Grid, goals: Numbers, width: float, exaggeration: float) -> Wi
     ground = grid.elevation_at(east, north)
     return Window(
         east, north, 0.0 if ground is None else ground, width=width or whole, exaggeration=exaggeration
-    )
-
-
-def _about(bake: Bake, kept: KeptTerrain, answer: Answer) -> TakeAbout:
-    layout = kept.grid.layout
-    return TakeAbout(
-        terrain=bake.terrain.name,
-        source=kept.grid.data_path.name,
-        rows=layout.rows,
-        columns=layout.columns,
-        cell_width=layout.cell_width,
-        cell_height=layout.cell_height,
-        wraps=layout.wraps,
-        georeference=kept.grid.georeference,
-        workspace_width=answer.workspace_width,
-        models=(answer.model,),
-        digest="" if kept.stamp is None else kept.stamp.digest,
     )
 
 

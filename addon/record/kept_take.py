@@ -70,7 +70,7 @@ def recall_take(action: bpy.types.Action) -> TakeData:
         about = about_from(json.loads(kept[ABOUT]))
         if columns:
             return TakeData.of(columns, about)
-    except (KeyError, TypeError, ValueError, AttributeError, RecursionError) as error:
+    except (KeyError, TypeError, ValueError, AttributeError, OverflowError, RecursionError) as error:
         raise KeptTakeError(
             f"{action.name} does not remember its ticks any more: its custom property {KEY} was changed "
             f"({type(error).__name__}: {error}). Record the take again."

@@ -17,6 +17,10 @@ from .take_data import Numbers, TakeData
 LAST_FRAME = 1_048_574
 """Blender's own; later keys would never be shown."""
 
+HOVER = 0.1
+"""Share of the bound by which reduced keys are held above the ground: lines between keys that lie on rough
+ground would cut through it, and every roughness would need a key."""
+
 SHARE = 0.01
 """Of the largest force and depth: how far reduced keys may be from them."""
 
@@ -84,16 +88,16 @@ def take_keys(
     location = force = depth = modes = every
     if bound is not None:
         room = bound * there.terrain_per_hand * view.units_per_metre
+        hover = HOVER * room / view.units_per_metre_up
+        points = view.above_ground(places, lambda east, north: highest(east, north) + hover)
         # What Blender rounds between two keys comes on top.
-        room = np.maximum(room - 0.5 * CLEARANCE * view.rounding(points), 0.0)
+        room = np.maximum((1.0 - HOVER) * room - 0.5 * CLEARANCE * view.rounding(points), 0.0)
 
         def clear(asked: Numbers) -> npt.NDArray[np.bool_]:
-            return view.missing(asked, highest, 0.5 * CLEARANCE) == 0.0
+            return np.asarray(view.missing(asked, highest, 0.5 * CLEARANCE) == 0.0)
 
-        felt_at = view.to_scene(places)
-        location = _in_runs(
-            held, lambda run: fewest_keys(_f64(points[run]), felt_at[run], room[run], clear), tell
-        )
+        shown = points.astype(np.float64)
+        location = _in_runs(held, lambda run: fewest_keys(shown[run], room[run], clear), tell)
         force, depth = (_near(values, held) for values in (there.force, there.depth))
         modes = np.flatnonzero(np.append(True, np.diff(mode) != 0.0))
     return TakeKeys(
@@ -109,8 +113,8 @@ def take_keys(
 def _near(values: Numbers, held: npt.NDArray[np.bool_]) -> npt.NDArray[np.intp]:
     """Choose keys of a number that stay within a share of its largest."""
     room = np.full(len(values), SHARE * float(values.max(initial=0.0)))
-    keys, wanted = _f64(values.astype(np.float32))[:, None], values[:, None]
-    return _in_runs(held, lambda run: fewest_keys(keys[run], wanted[run], room[run]))
+    kept = values.astype(np.float32).astype(np.float64)[:, None]
+    return _in_runs(held, lambda run: fewest_keys(kept[run], room[run]))
 
 
 def _in_runs(
@@ -135,7 +139,3 @@ def _keys(
     chosen: npt.NDArray[np.intp],
 ) -> Keys:
     return Keys(frames[chosen], values[chosen].astype(np.float32), held[chosen])
-
-
-def _f64(values: npt.NDArray[np.floating]) -> Numbers:
-    return values.astype(np.float64)

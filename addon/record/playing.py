@@ -7,9 +7,6 @@ import bpy
 from ..touch.live import Played
 from .keys import LAST_FRAME
 
-REAL_TIME = "FRAME_DROP"
-"""Blender's way of playing that leaves frames out rather than fall behind the clock."""
-
 
 def start_playing(context: bpy.types.Context, scene: bpy.types.Scene) -> Played | None:
     """Play from the current frame on, at the scene's rate by the clock, as the take's keys will lie.
@@ -23,7 +20,7 @@ def start_playing(context: bpy.types.Context, scene: bpy.types.Scene) -> Played 
     if bpy.app.background or screen is None or context.scene != scene:
         return None
     before = Played(scene.sync_mode, scene.frame_end, scene.use_preview_range)
-    scene.sync_mode = REAL_TIME
+    scene.sync_mode = "FRAME_DROP"  # Blender leaves frames out rather than fall behind the clock
     scene.use_preview_range = False
     scene.frame_end = LAST_FRAME
     if not screen.is_animation_playing:

@@ -18,6 +18,7 @@ from .ground import Ground
 from .playing import start_playing, stop_playing
 from .take_data import TakeAbout, TakeData
 from .take_options import DEFAULT_TRAILS
+from .terrain_about import grid_of
 from .write_take import Take, write_take
 
 
@@ -87,7 +88,7 @@ def stop_recording(context: bpy.types.Context, *, trail: bool | None = None) -> 
         options = replace(options, trails=(options.trails or DEFAULT_TRAILS) if trail else frozenset())
     ground = Ground(recording.touch.grid, recording.touch.surface)
     with progress(context) as tell, undone_on_failure():
-        take = write_take(scene, _data(recording), _placement(recording), ground, options, tell)
+        take = write_take(scene, take_data(recording), _placement(recording), ground, options, tell)
     live.recording = None
     return take
 
@@ -110,21 +111,18 @@ def _stop_playing(context: bpy.types.Context, recording: Recording) -> None:
         stop_playing(context, recording.touch.scene.find(), before)
 
 
-def _data(recording: Recording) -> TakeData:
-    touch, layout = recording.touch, recording.touch.grid.layout
+def take_data(recording: Recording) -> TakeData:
+    """What was recorded so far, in the form that all writers take."""
+    touch = recording.touch
     about = TakeAbout(
         terrain=touch.terrain.name,
         source=recording.source,
-        rows=layout.rows,
-        columns=layout.columns,
-        cell_width=layout.cell_width,
-        cell_height=layout.cell_height,
-        wraps=layout.wraps,
+        digest=recording.digest,
         georeference=touch.georeference,
         workspace_width=touch.workspace[0],
         models=tuple(recording.models),
         lost_ticks=recording.dropped,
-        digest=recording.digest,
+        **grid_of(touch.grid.layout),
     )
     return TakeData.of(recording.recorder.columns, about)
 

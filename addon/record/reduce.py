@@ -17,7 +17,7 @@ import numpy.typing as npt
 from .take_data import Numbers
 
 BEAM = 16
-"""Frames from which the search goes on. What has no more than these frames has the fewest keys for certain."""
+"""Frames from which the search goes on. A way of no more frames has the fewest keys for certain."""
 
 FIRST_LOOK = 64
 """Frames ahead that are looked at first; twice as many each time where lines may lead farther."""
@@ -29,18 +29,15 @@ Clear = Callable[[Numbers], npt.NDArray[np.bool_]]
 """Says of points (n x d) whether nothing buries them."""
 
 
-def fewest_keys(
-    keys: Numbers, wanted: Numbers, tolerance: Numbers, clear: Clear | None = None
-) -> npt.NDArray[np.intp]:
+def fewest_keys(places: Numbers, tolerance: Numbers, clear: Clear | None = None) -> npt.NDArray[np.intp]:
     """Choose the frames that need a key, the first and the last among them.
 
     Args:
-        keys: the value that a key at each frame would have, n x d, rounded as it will be kept.
-        wanted: the value that was felt at each frame, n x d.
-        tolerance: how far the value at each frame may be from what was felt, n.
-        clear: what must also hold at every frame; a frame where its own key does not hold gets it nevertheless.
+        places: the value that a key at each frame would have, n x d, rounded as it will be kept.
+        tolerance: how far the value at each frame may be from that without a key, n.
+        clear: what must also hold at every frame without a key.
     """
-    count = len(keys)
+    count = len(places)
     if count <= 2:
         return np.arange(count)
     before: dict[int, int] = {}
@@ -50,7 +47,7 @@ def fewest_keys(
         for first in sorted(reached, reverse=True):
             # Nearer ends than those that are kept anyway need no check.
             enough = sorted(found, reverse=True)[BEAM - 1] if len(found) >= BEAM else first
-            for last in _reachable(keys, wanted, tolerance, clear, first, enough):
+            for last in _reachable(places, tolerance, clear, first, enough):
                 if last not in before:
                     found.setdefault(last, first)
         reached = sorted(found, reverse=True)[:BEAM]
@@ -67,39 +64,38 @@ def _way_back(before: dict[int, int], frame: int) -> Iterator[int]:
 
 
 def _reachable(
-    keys: Numbers, wanted: Numbers, tolerance: Numbers, clear: Clear | None, first: int, beyond: int
+    places: Numbers, tolerance: Numbers, clear: Clear | None, first: int, beyond: int
 ) -> list[int]:
     """Find the farthest frames after ``beyond`` that a line from ``first`` leads to, ``BEAM`` at the most."""
-    ends = _candidates(keys, wanted, tolerance, first)
+    ends = _candidates(places, tolerance, first)
     ends = ends[ends > beyond][::-1]
     found: list[int] = []
     at = 0
     while at < len(ends) and len(found) < BEAM:
         most = max(1, MOST_CHECKED // max(1, int(ends[at]) - first))
         some = ends[at : at + min(BEAM, most)]
-        found += some[_hold(keys, wanted, tolerance, clear, first, some)].tolist()
+        found += some[_hold(places, tolerance, clear, first, some)].tolist()
         at += len(some)
     return found[:BEAM]
 
 
-def _candidates(keys: Numbers, wanted: Numbers, tolerance: Numbers, first: int) -> npt.NDArray[np.intp]:
+def _candidates(places: Numbers, tolerance: Numbers, first: int) -> npt.NDArray[np.intp]:
     """Find the frames to which a line may lead, by a quick look along each axis by itself.
 
-    A line from the first frame has a slope; each frame that it passes allows slopes between two bounds, and all
-    of them those between the highest lower and the lowest upper bound.
+    A line from the first frame has a slope; each frame that it passes allows slopes between two bounds, and
+    all of them those between the highest lower and the lowest upper bound.
     """
     ends: list[npt.NDArray[np.intp]] = [np.array([first + 1])]
-    low = np.full(keys.shape[1], -np.inf)
+    low = np.full(places.shape[1], -np.inf)
     high = -low
     start, look = first + 1, FIRST_LOOK
-    while start < len(keys) and (low <= high).all():
-        frames = np.arange(start, min(len(keys), start + look))
+    while start < len(places) and (low <= high).all():
+        frames = np.arange(start, min(len(places), start + look))
         steps = (frames - first)[:, None]
         room = tolerance[frames][:, None] * (1.0 + 1e-9)
-        away = wanted[frames] - keys[first]
-        lows = np.maximum.accumulate(np.vstack((low, (away - room) / steps)))
-        highs = np.minimum.accumulate(np.vstack((high, (away + room) / steps)))
-        slopes = (keys[frames] - keys[first]) / steps
+        slopes = (places[frames] - places[first]) / steps
+        lows = np.maximum.accumulate(np.vstack((low, slopes - room / steps)))
+        highs = np.minimum.accumulate(np.vstack((high, slopes + room / steps)))
         ends.append(frames[((lows[:-1] <= slopes) & (slopes <= highs[:-1])).all(axis=1)])
         low, high = lows[-1], highs[-1]
         start, look = start + look, 2 * look
@@ -107,8 +103,7 @@ def _candidates(keys: Numbers, wanted: Numbers, tolerance: Numbers, first: int) 
 
 
 def _hold(
-    keys: Numbers,
-    wanted: Numbers,
+    places: Numbers,
     tolerance: Numbers,
     clear: Clear | None,
     first: int,
@@ -118,8 +113,8 @@ def _hold(
     between = np.arange(first + 1, int(ends[0]))
     passed = between[None, :] < ends[:, None]
     shares = np.where(passed, (between - first)[None, :] / (ends - first)[:, None], 0.0)[:, :, None]
-    points = keys[first] + (keys[ends] - keys[first])[:, None, :] * shares
-    apart = np.linalg.norm(points - wanted[between], axis=2)
+    points = places[first] + (places[ends] - places[first])[:, None, :] * shares
+    apart = np.linalg.norm(points - places[between], axis=2)
     holds: npt.NDArray[np.bool_] = np.all(~passed | (apart <= tolerance[between]), axis=1)
     if clear is not None and holds.any():
         asked = passed & holds[:, None]

@@ -29,9 +29,9 @@ def ticks_at_frames(times: Numbers, frames_per_second: float) -> npt.NDArray[np.
     after = np.clip(np.searchsorted(times, wanted), 1, max(len(times) - 1, 1))
     before = after - 1
     if len(times) == 1:
-        return before
+        return np.asarray(before)
     nearer = np.abs(times[after] - wanted) <= np.abs(times[before] - wanted)
-    return np.where(nearer, after, before)
+    return np.asarray(np.where(nearer, after, before))
 
 
 def keys_before_jumps(turns: Numbers, times: Numbers) -> npt.NDArray[np.bool_]:

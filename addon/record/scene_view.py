@@ -13,8 +13,8 @@ from ..terrain.frame import TerrainFrame
 from .take_data import Numbers
 
 CLEARANCE = 8.0
-"""Last places of 32-bit scene coordinates by which a point is held above the ground: Blender rounds a few times
-on the way from two keys to a place between them."""
+"""Last places of 32-bit scene coordinates by which a point is held above the ground: Blender rounds a few
+times on the way from two keys to a place between them."""
 
 Highest = Callable[[Numbers, Numbers], Numbers]
 """Metres of what must not bury a point, at terrain metres east and north on the map; NaN for nothing."""
@@ -45,7 +45,7 @@ class SceneView:
         east, north, up = places.T
         return self._shown(self.frame.on_map(east), north, up)
 
-    def to_terrain(self, points: Numbers) -> Numbers:
+    def to_terrain(self, points: npt.NDArray[np.floating]) -> Numbers:
         """Terrain places on the map of scene coordinates, n x 3."""
         local = points.astype(np.float64) @ self._inverse[:3, :3].T + self._inverse[:3, 3]
         if self.frame.bend is not None:
@@ -53,7 +53,7 @@ class SceneView:
         return np.stack(self.frame.to_terrain(*local.T), axis=1)
 
     def above_ground(self, places: Numbers, highest: Highest) -> npt.NDArray[np.float32]:
-        """Scene coordinates of terrain places, lifted where what is shown or what is there would bury them."""
+        """Scene coordinates of terrain places, lifted where the ground would bury them."""
         east, north, up = places.T
         lifted = np.stack((east, north, np.fmax(up, highest(self.frame.on_map(east), north))), axis=1)
         points = self.to_scene(lifted)

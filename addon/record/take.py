@@ -28,8 +28,6 @@ DEPTH = "haptic_terrain_depth"
 MODELS = "haptic_terrain_models"
 """ID property of a take: the contact models that answered, in their order."""
 
-DISTANCE = {"subtype": "DISTANCE"}
-
 
 def new_take(scene: bpy.types.Scene, placement: Placement, longest_side: float) -> bpy.types.Object:
     """Make the object in a collection of its own: a cone whose tip is the point that moved.
@@ -59,6 +57,7 @@ def home(take: bpy.types.Object, scene: bpy.types.Scene) -> bpy.types.Collection
 def key_take(take: bpy.types.Object, keys: TakeKeys, models: tuple[str, ...]) -> bpy.types.Action:
     """Write the curves, in place of those that the take had; its action is in use then, on no NLA track."""
     action = take_action(take) or take.animation_data.action
+    assert action is not None  # a new take has one, and what has none is no take
     off_tracks(take, action)
     take.animation_data.action = action
     for axis in range(3):

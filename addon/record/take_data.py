@@ -134,7 +134,7 @@ class TakeData:
     @property
     def in_contact(self) -> npt.NDArray[np.bool_]:
         """Whether the proxy lay on the surface."""
-        return self.columns["feature"] != 0.0
+        return np.asarray(self.columns["feature"] != 0.0)
 
     @property
     def terrain_per_hand(self) -> Numbers:

@@ -10,7 +10,7 @@ import bpy
 
 @contextmanager
 def undone_on_failure() -> Iterator[None]:
-    """Remove the objects with their data, the materials, actions and collections that were made inside when that fails."""
+    """Remove objects with their data, materials, actions and collections made inside when that fails."""
     before = {thing.session_uid for thing in _things()}
     try:
         yield

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import Literal
 
 import bpy
 from proxygraph import Grid, Session, Window
@@ -104,7 +105,7 @@ class Touch:
 class Played:
     """How a scene was played before a take began."""
 
-    sync_mode: str
+    sync_mode: Literal["NONE", "FRAME_DROP", "AUDIO_SYNC"]
     frame_end: int
     uses_preview_range: bool
 

@@ -67,9 +67,7 @@ class HAPTIC_TERRAIN_OT_record_stop(bpy.types.Operator):
             self.report({"WARNING"}, str(error))
             return {"CANCELLED"}
         except (KeptTakeError, OtherTerrainError) as error:
-            self.report(
-                {"ERROR"}, f"{error} The recording waits: choose New Take in Write To, and stop again."
-            )
+            self.report({"ERROR"}, f"{error} The take waits: choose New Take in Write To, and stop again.")
             return {"CANCELLED"}
         self.report(
             {"INFO"}, f"{take.take.name}: {take.seconds:.1f} s, {take.keyframes:,} keys on each curve"

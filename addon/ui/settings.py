@@ -140,7 +140,7 @@ class HapticTerrainSettings(bpy.types.PropertyGroup):
     )
     keep_ticks: bpy.props.BoolProperty(
         name="Keep Ticks",
-        description="Keep all ticks of a take in the .blend file (10 MB a minute): for export, and to append to it",
+        description="Keep all ticks of a take in the .blend file, 10 MB a minute: for export and for Append",
         default=True,
     )
     play_timeline: bpy.props.BoolProperty(

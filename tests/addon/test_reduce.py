@@ -22,7 +22,7 @@ coordinate = st.floats(-1.0, 1.0, width=32)
 
 def chosen(places: Numbers, tolerance: Numbers, clear: Clear | None = None) -> list[int]:
     """Reduce; the keys are where the point was felt."""
-    found: list[int] = module("record.reduce").fewest_keys(places, places, tolerance, clear).tolist()
+    found: list[int] = module("record.reduce").fewest_keys(places, tolerance, clear).tolist()
     return found
 
 
@@ -88,7 +88,9 @@ def test_no_choice_is_smaller_over_a_ground_that_buries(places: Numbers, bound: 
 @settings(max_examples=60, deadline=None)
 def test_a_long_way_stays_within_its_bound_at_every_frame(seed: int, count: int, bound: float) -> None:
     random = np.random.default_rng(seed)
-    places = np.cumsum(random.normal(size=(count, 3)) * random.choice([0.0, 0.01, 0.3], size=(count, 1)), axis=0)
+    places = np.cumsum(
+        random.normal(size=(count, 3)) * random.choice([0.0, 0.01, 0.3], size=(count, 1)), axis=0
+    )
     tolerance = bound * random.uniform(0.5, 2.0, size=count)
     frames = chosen(places, tolerance)
     assert frames == sorted(set(frames))
