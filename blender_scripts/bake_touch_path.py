@@ -18,7 +18,7 @@ from typing import Any
 # Blender does not look for modules beside the script that it runs.
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
-from pipeline.command import RefusedError, Say, own_arguments, parser_of, run  # noqa: E402
+from pipeline.command import RefusedError, Say, own_arguments, parser_of, run
 
 TAKE_FILES = (".csv", ".npz", ".geojson")
 
@@ -67,7 +67,7 @@ def _bake(chosen: argparse.Namespace, say: Say) -> Mapping[str, Any]:
 
     if chosen.grid is not None:
         import_grid(chosen.grid)
-    bake_part, animated = parts("record.bake"), parts("record.animated")
+    bake_part = parts("record.bake")
     choices, kept = parts("ui.goal_choices"), parts("terrain.kept")
     settings = scene.haptic_terrain
     if chosen.model is not None:
@@ -80,7 +80,7 @@ def _bake(chosen: argparse.Namespace, say: Say) -> Mapping[str, Any]:
         bake = bake_part.bake_of(bpy.context, goal, terrain, frames)
         say(f"Baking {goal.name} over {terrain.name}, frames {frames.first} to {frames.last}")
         began = time.perf_counter()
-        result = _finished(bake_part.baked(bake))
+        result = parts("terrain.progress").finished(bake_part.baked(bake))
         seconds = time.perf_counter() - began
         say(f"{result.data.seconds:.1f} s of touch in {seconds:.2f} s")
         take = bake_part.write_baked(bake, result)
@@ -119,14 +119,6 @@ def _samples(chosen: argparse.Namespace, bake_part: Any) -> int:
     if not 1 <= samples <= 100:
         raise RefusedError(f"--samples is {samples}; expected 1 to 100.")
     return int(samples)
-
-
-def _finished(work: Any) -> Any:
-    try:
-        while True:
-            next(work)
-    except StopIteration as done:
-        return done.value
 
 
 def digest(columns: Mapping[str, Any]) -> str:

@@ -64,6 +64,7 @@ class Baked:
     """What was felt, and where the terrain stood."""
 
     data: TakeData
+    answer: Answer
     path: Path
     stand: Stand
     ground: Ground
@@ -126,7 +127,7 @@ def baked(bake: Bake) -> Generator[float, None, Baked]:
     about = terrain_about(found(bake.terrain), kept)
     about = replace(about, workspace_width=answer.workspace_width, models=(answer.model,))
     data = TakeData(columns, about)
-    return Baked(data, path, stand, ground, _notes(bake, data, places))
+    return Baked(data, answer, path, stand, ground, _notes(bake, data, places))
 
 
 def write_baked(bake: Bake, result: Baked, tell: Tell = lambda _share: None) -> Take:

@@ -11,7 +11,7 @@ import bpy
 from ..formats import FormatError
 from ..record.animated import AnimationError
 from ..terrain.kept import KeptError
-from ..terrain.progress import Tell, progress
+from ..terrain.progress import Tell, finished, progress
 from ..touch.live import live
 from .operator_status import OperatorStatus
 
@@ -60,7 +60,7 @@ class InTurns:
             return {"CANCELLED"}  # the other call finishes, and is what can be undone
         try:
             with progress(context) as tell:
-                self.write(_finished(self.work(context), tell), tell)
+                self.write(finished(self.work(context), tell), tell)
         except EXPECTED as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
@@ -140,12 +140,3 @@ class InTurns:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
         return {"FINISHED"}
-
-
-def _finished(work: Generator[float, None, Any], tell: Tell) -> Any:
-    """Work to the end."""
-    try:
-        while True:
-            tell(next(work))
-    except StopIteration as done:
-        return done.value

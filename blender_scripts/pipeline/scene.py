@@ -86,11 +86,11 @@ def import_grid(grid: Path) -> None:
 
 
 @contextmanager
-def refused(*kinds: type[Exception]) -> Iterator[None]:
+def refused() -> Iterator[None]:
     """Tell what the extension refuses as what a person can mend."""
     try:
         yield
-    except (RuntimeError, ValueError, *kinds) as error:
+    except (RuntimeError, ValueError) as error:
         raise RefusedError(str(error).removeprefix("Error: ").strip()) from error
 
 

@@ -117,7 +117,7 @@ def test_every_millisecond_has_a_tick_and_every_frame_its_goal(terrain: bpy.type
     assert np.diff(columns["time"]) == pytest.approx(0.001)
     for frame in (1, 13, 25, 37):
         bpy.context.scene.frame_set(frame)
-        expected = frame_of(terrain).to_terrain(*goal.matrix_world.translation)
+        expected = frame_of(terrain).to_terrain(*goal.matrix_world.translation[:])
         tick = round((frame - 1) * 1000 / 24)
         assert goals(columns)[tick] == pytest.approx(expected, rel=1e-6, abs=1e-6 * abs(expected[0]))
 
@@ -129,7 +129,7 @@ def test_between_frames_the_goal_is_where_subframes_have_it(terrain: bpy.types.O
     for tick in (123, 517, 901):
         at = 1.0 + tick * 24 / 1000
         bpy.context.scene.frame_set(int(at), subframe=at % 1.0)
-        expected = np.array(frame.to_terrain(*goal.matrix_world.translation))
+        expected = np.array(frame.to_terrain(*goal.matrix_world.translation[:]))
         apart = (goals(columns)[tick] - expected) * (1.0, 1.0, frame.exaggeration) * frame.units_per_metre
         assert np.abs(apart).max() < 2e-4
 

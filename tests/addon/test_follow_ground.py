@@ -7,7 +7,6 @@ from pathlib import Path
 from typing import Any
 
 import bpy
-import numpy as np
 import pytest
 from mathutils import Matrix, Vector
 
@@ -41,7 +40,7 @@ def heights(terrain: bpy.types.Object, place: Vector) -> tuple[float, float]:
     grid = kept.grid.open()
     shown = preview.preview_surface(grid, preview.preview_cells(grid.layout, kept.vertex_budget))
     local = terrain.matrix_world.inverted() @ place
-    east, north, _up = kept.frame.to_terrain(*local)
+    east, north, _up = kept.frame.to_terrain(*local[:])
     found = []
     for up in (grid.elevation_at(east, north), shown.height_at(east, north)):
         assert up is not None
@@ -66,7 +65,7 @@ def test_an_object_stands_on_the_ground_in_every_frame(terrain: bpy.types.Object
 
 
 def test_an_object_is_tilted_as_the_ground_is(tmp_path: Path) -> None:
-    slope = np.tile(np.arange(60, dtype=">i2") * 100, (40, 1))
+    slope = [[100 * column for column in range(60)] for _row in range(40)]
     terrain = import_grid(MegdrPair(slope).write(tmp_path))
     bpy.context.scene.frame_end = 10
     goal = moving(places=((1, (-1.0, 0.0, 0.0)), (10, (1.0, 0.0, 0.0))))
@@ -171,7 +170,7 @@ def test_a_render_shows_the_object_on_the_ground(terrain: bpy.types.Object, tmp_
     scene = bpy.context.scene
     rendered = []
 
-    def look(_scene: Any, graph: Any) -> None:
+    def look(_scene: Any, graph: Any = None) -> None:
         rendered.append((scene.frame_current, goal.evaluated_get(graph).matrix_world.translation.copy()))
 
     camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
