@@ -13,8 +13,6 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-ROOT = Path(__file__).resolve().parents[1]
-
 # Blender does not look for modules beside the script that it runs.
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
@@ -22,6 +20,8 @@ from pipeline.command import RefusedError, Say, own_arguments, parser_of, run
 
 if TYPE_CHECKING:
     from pipeline.comparison import Numbers
+
+ROOT = Path(__file__).resolve().parents[1]
 
 READERS = (".csv", ".npz")
 

@@ -21,7 +21,7 @@ BLOCK = 500
 
 COUNTS = ("vertices", "faces", "collision_tests", "cells")
 
-WORD = 18
+WORD = 20
 """Letters of a column of the table."""
 
 

@@ -68,9 +68,10 @@ def open_blend(blend: Path | None) -> bpy.types.Scene:
             bpy.ops.wm.open_mainfile(filepath=str(blend.resolve()), load_ui=False)
         except RuntimeError as error:
             raise RefusedError(f"{blend}: {str(error).removeprefix('Error: ').strip()}") from error
-    if bpy.context.scene is None:
+    scene = bpy.context.scene
+    if scene is None:
         raise RefusedError("No scene is open.")
-    return bpy.context.scene
+    return scene
 
 
 def import_grid(grid: Path) -> None:
