@@ -59,6 +59,8 @@ def _bake(chosen: argparse.Namespace, say: Say) -> Mapping[str, Any]:
         if file.suffix.lower() not in TAKE_FILES:
             raise RefusedError(f"{file}: expected a name that ends in {', '.join(TAKE_FILES)}.")
     from pipeline.models import known_model
+
+    model = None if chosen.model is None else known_model(chosen.model)
     from pipeline.scene import enabled_parts, import_grid, open_blend, refused, save_blend
 
     parts = enabled_parts()
@@ -70,8 +72,8 @@ def _bake(chosen: argparse.Namespace, say: Say) -> Mapping[str, Any]:
     bake_part = parts("record.bake")
     choices, kept = parts("ui.goal_choices"), parts("terrain.kept")
     settings = scene.haptic_terrain
-    if chosen.model is not None:
-        settings.contact_model = known_model(chosen.model)
+    if model is not None:
+        settings.contact_model = model
     with refused():
         settings.take_keys = "REDUCED" if chosen.reduced else settings.take_keys
         goal = choices.chosen_goal(bpy.context, chosen.goal, chosen.bone, chosen.tip.upper())

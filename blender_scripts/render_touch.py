@@ -99,6 +99,8 @@ def _check(chosen: argparse.Namespace) -> None:
         raise RefusedError(f"--resolution is {chosen.resolution}; expected 4 to 65536 pixels each way.")
     if chosen.step < 1 or chosen.samples < 1:
         raise RefusedError("--step and --samples are counts; expected at least 1.")
+    if chosen.frames is not None and chosen.frames[1] < chosen.frames[0]:
+        raise RefusedError("--frames run backwards, from {} to {}.".format(*chosen.frames))
     if chosen.output.exists() and not chosen.output.is_dir():
         raise RefusedError(f"{chosen.output} is a file; expected a folder.")
 
@@ -107,8 +109,6 @@ def _frames(chosen: argparse.Namespace, pictures: Any) -> list[int]:
     if chosen.still is not None:
         return [chosen.still]
     first, last = chosen.frames or pictures.frames
-    if last < first:
-        raise RefusedError(f"--frames run backwards, from {first} to {last}.")
     return list(range(first, last + 1, chosen.step))
 
 

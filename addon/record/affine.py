@@ -25,9 +25,8 @@ class Affine:
     @staticmethod
     def of(matrix: Any) -> Affine:
         """Take the three upper rows of a 4 x 4 matrix of Blender's."""
-        rows = [tuple(map(float, row)) for row in matrix]
-        x, y, z = ((row[0], row[1], row[2]) for row in rows[:3])
-        return Affine((x, y, z), (rows[0][3], rows[1][3], rows[2][3]))
+        (a, b, c, x), (d, e, f, y), (g, h, i, z), _last = matrix
+        return Affine(((a, b, c), (d, e, f), (g, h, i)), (x, y, z))
 
     @property
     def is_finite(self) -> bool:

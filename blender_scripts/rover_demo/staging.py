@@ -55,7 +55,7 @@ def stage(parts: Parts, grid: Path, vertices: int, exaggeration: float, say: Say
         bpy.ops.haptic_terrain.import_grid(
             filepath=str(grid), vertex_budget=vertices, exaggeration=exaggeration
         )
-    terrain = bpy.context.view_layer.objects.active
+    terrain = parts("ui.goal_choices").terrain_under(bpy.context, "")
     rover = add_rover(scene, LENGTH)
     drive(rover, scene)
     say("Following the ground")
@@ -66,13 +66,8 @@ def stage(parts: Parts, grid: Path, vertices: int, exaggeration: float, say: Say
 
     way = places(rover, scene)
     scene.frame_set(SHOWN_FRAME)
-    trails = []
-    for result, take in takes:
-        take.take.hide_render = True  # its cone stands where the wheel is
-        trail = GrowingTrail(parts, result.data, result.stand.placement, result.ground, thickness=THICKNESS)
-        trail.show((SHOWN_FRAME - 1) / bake.frame_rate(scene))
-        trails.append(trail.thing)
     strongest = max(float(result.data.force.max()) for result, _take in takes)
+    tracks = _tracks(parts, takes, strongest, (SHOWN_FRAME - 1) / bake.frame_rate(scene))
     title = parts("terrain.kept").recall(terrain).grid.title
     frame = Frame(
         centre=way[SHOWN_FRAME - 1] + Vector((-0.13, 0.1, 0.04)),
@@ -82,8 +77,23 @@ def stage(parts: Parts, grid: Path, vertices: int, exaggeration: float, say: Say
         pitch=PITCH,
         bearing=BEARING,
     )
-    set_up_picture(terrain, trails[0], frame)
+    set_up_picture(terrain, tracks[0], frame)
     background = next(node for node in scene.world.node_tree.nodes if node.type == "BACKGROUND")
     background.inputs["Color"].default_value = SKY
     draw_ahead(scene, way[SHOWN_FRAME + 8 :], bpy.data.materials["Caption"])
     return Staged(scene, [take for _result, take in takes], strongest)
+
+
+def _tracks(parts: Parts, takes: list[tuple[Any, Any]], strongest: float, seconds: float) -> list[Any]:
+    """Show what the wheels have felt up to a moment, in colours of one scale."""
+    shown, material = parts("record.trail_tube"), parts("terrain.material")
+    ramp = material.Ramp(shown.FORCE, 0.0, strongest, shown.COLOURS, glow=0.6)
+    colours = material.ramp_material("Wheel force", ramp)
+    tracks = []
+    for result, take in takes:
+        take.take.hide_render = True  # its cone stands where the wheel is
+        track = GrowingTrail(parts, result.data, result.stand.placement, result.ground, thickness=THICKNESS)
+        track.show(seconds)
+        track.thing.data.materials[0] = colours
+        tracks.append(track.thing)
+    return tracks
