@@ -7,8 +7,10 @@ from pathlib import Path
 import bpy
 
 from .formats.cache import cache
+from .record.playing import stop_playing
 from .terrain import saving
 from .touch import timer
+from .touch.live import live
 from .ui import (
     bake_operators,
     import_operator,
@@ -79,6 +81,8 @@ def register() -> None:
 def unregister() -> None:
     """Remove what ``register`` added."""
     keymap.unregister()
+    if live.recording is not None:
+        stop_playing(bpy.context, live.recording)
     timer.unregister()
     saving.unregister()
     bpy.types.TOPBAR_MT_file_export.remove(take_operators.draw_export)  # type: ignore[arg-type]

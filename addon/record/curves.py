@@ -22,6 +22,16 @@ def ensure_fcurve(
     return curve
 
 
+def has_fcurve(action: bpy.types.Action, data_path: str) -> bool:
+    """Whether an action moves a property."""
+    if hasattr(action, "layers"):  # slotted actions
+        strips = (strip for layer in action.layers for strip in layer.strips)
+        curves = (curve for strip in strips for bag in strip.channelbags for curve in bag.fcurves)
+    else:
+        curves = iter(action.fcurves)
+    return any(curve.data_path == data_path for curve in curves)
+
+
 def write_keys(curve: bpy.types.FCurve, keys: Keys, axis: int = 0) -> None:
     """Write all keys of a curve at once; what it had is gone.
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import bpy
 
-from ..touch.live import Played
+from ..touch.live import Played, Recording
 from .keys import LAST_FRAME
 
 
@@ -28,8 +28,12 @@ def start_playing(context: bpy.types.Context, scene: bpy.types.Scene) -> Played 
     return before
 
 
-def stop_playing(context: bpy.types.Context, scene: bpy.types.Scene | None, before: Played) -> None:
-    """Stop at the frame that is shown, and put back how the scene plays."""
+def stop_playing(context: bpy.types.Context, recording: Recording) -> None:
+    """Stop at the frame that is shown, and put back how the scene plays, where it plays along."""
+    before, recording.played = recording.played, None
+    if before is None:
+        return
+    scene = recording.touch.scene.find()
     if scene is not None:
         scene.sync_mode = before.sync_mode
         scene.frame_end = before.frame_end

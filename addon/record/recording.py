@@ -76,7 +76,7 @@ def stop_recording(context: bpy.types.Context, *, trail: bool | None = None) -> 
     recording = live.recording
     if recording is None:
         raise RecordingError("No take is being recorded.")
-    _stop_playing(context, recording)
+    stop_playing(context, recording)
     if not len(recording.recorder):
         live.recording = None
         raise RecordingError("The take is empty: nothing was written.")
@@ -101,14 +101,8 @@ def discard_recording(context: bpy.types.Context) -> None:
     """
     if live.recording is None:
         raise RecordingError("No take is being recorded.")
-    _stop_playing(context, live.recording)
+    stop_playing(context, live.recording)
     live.recording = None
-
-
-def _stop_playing(context: bpy.types.Context, recording: Recording) -> None:
-    before, recording.played = recording.played, None
-    if before is not None:
-        stop_playing(context, recording.touch.scene.find(), before)
 
 
 def take_data(recording: Recording) -> TakeData:

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import bpy
 
-from ..touch.cursor import SIZE, shape_mesh, take_shape
+from ..touch.cursor import SIZE, TAKE_COLOURS, Shape, shape_mesh, take_shape
 from ..touch.placement import Placement
-from .curves import ensure_fcurve, write_keys
+from .curves import ensure_fcurve, has_fcurve, write_keys
 from .kept_take import is_take, take_action
 from .keys import Keys, TakeKeys
 from .nla import off_tracks
@@ -35,8 +35,7 @@ def new_take(scene: bpy.types.Scene, placement: Placement, longest_side: float) 
     Args:
         longest_side: of the map, Blender units in the scene.
     """
-    number = sum(map(is_take, scene.objects))
-    take = bpy.data.objects.new(NAME, shape_mesh(take_shape(number)))
+    take = bpy.data.objects.new(NAME, shape_mesh(_rarest_shape(scene)))
     size = SIZE * longest_side
     take.scale = (size, size, size)
     take.rotation_euler = placement.rotation.to_euler()
@@ -46,6 +45,12 @@ def new_take(scene: bpy.types.Scene, placement: Placement, longest_side: float) 
     collection.objects.link(take)
     take.animation_data_create().action = bpy.data.actions.new(take.name)
     return take
+
+
+def _rarest_shape(scene: bpy.types.Scene) -> Shape:
+    """Choose the colour that the fewest takes of a scene have."""
+    names = [thing.data.name for thing in scene.objects if is_take(thing) and thing.data is not None]
+    return min(map(take_shape, range(len(TAKE_COLOURS))), key=lambda shape: names.count(shape.name))
 
 
 def home(take: bpy.types.Object, scene: bpy.types.Scene) -> bpy.types.Collection:
@@ -74,8 +79,7 @@ def key_take(take: bpy.types.Object, keys: TakeKeys, models: tuple[str, ...]) ->
 
 def _key_mode(take: bpy.types.Object, action: bpy.types.Action, mode: Keys) -> None:
     """A curve only where there were modes, now or before."""
-    had_modes = take.get(MODE) is not None and bool(take.get(f"{MODE}_keyed"))
     take[MODE] = 0
-    if mode.values.any() or had_modes:
-        take[f"{MODE}_keyed"] = True
-        write_keys(ensure_fcurve(action, take, f'["{MODE}"]', 0), mode)
+    path = f'["{MODE}"]'
+    if mode.values.any() or has_fcurve(action, path):
+        write_keys(ensure_fcurve(action, take, path, 0), mode)

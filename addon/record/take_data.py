@@ -89,12 +89,12 @@ class TakeData:
 
     @staticmethod
     def of(columns: Mapping[str, Buffer], about: TakeAbout) -> TakeData:
-        """Look at buffers of doubles, without copying them.
+        """Copy buffers of doubles: whatever fills them may go on.
 
         Raises:
             ValueError: a column is missing, or they differ in length.
         """
-        seen: dict[str, Any] = {name: np.frombuffer(values) for name, values in columns.items()}
+        seen: dict[str, Any] = {name: np.frombuffer(values).copy() for name, values in columns.items()}
         missing = [name for name in NEEDED if name not in seen]
         if missing:
             raise ValueError(f"a take needs the columns {', '.join(missing)}")

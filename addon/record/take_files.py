@@ -22,23 +22,18 @@ from .files.npz_file import read_npz, write_npz
 from .files.read_take import ReadTake
 from .ground import Ground
 from .kept_take import KeptTakeError, recall_take, take_action
-from .take_data import Numbers, TakeAbout, TakeData
+from .take_data import TakeAbout, TakeData
 from .terrain_about import terrain_about
 from .write_take import Take, write_take
 
 READERS: Mapping[str, Callable[[Path], ReadTake]] = {".csv": read_csv, ".npz": read_npz}
 
-TABLES: Mapping[str, Callable[[Path, TakeData, Mapping[str, Numbers]], None]] = {
-    ".csv": write_csv,
-    ".npz": write_npz,
-}
-
 PATH = ".geojson"
 
-SUFFIXES = (*TABLES, PATH)
+SUFFIXES = (*READERS, PATH)
 
 
-def export_take(take: bpy.types.Object, path: Path) -> tuple[TakeData, str]:
+def export_take(take: bpy.types.Object, path: Path, tell: Tell) -> tuple[TakeData, str]:
     """Write a take in the format that the path's ending names.
 
     Returns:
@@ -57,10 +52,14 @@ def export_take(take: bpy.types.Object, path: Path) -> tuple[TakeData, str]:
     if suffix == PATH:
         write_geojson(path, data)
         return data, ""
-    if suffix not in TABLES:
+    if suffix not in READERS:
         raise ValueError(f"{path.name}: a take is exported as {', '.join(SUFFIXES)}.")
     ground = _ground_of(data.about)
-    TABLES[suffix](path, data, derived_columns(data, None if ground is None else ground.real))
+    derived = derived_columns(data, None if ground is None else ground.real)
+    if suffix == ".csv":
+        write_csv(path, data, derived, tell)
+    else:
+        write_npz(path, data, derived)
     missing = (
         f"Without ground elevations: {data.about.terrain} is not here any more." if ground is None else ""
     )

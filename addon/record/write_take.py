@@ -129,4 +129,4 @@ def _trails(
         if trails and "CURVE" in options.trails:
             yield "CURVE", curve_trail(trails, frame, layout)
     if "POINTS" in options.trails:
-        yield "POINTS", point_trail(data, frame, ground.highest)
+        yield "POINTS", point_trail(data, frame, ground)

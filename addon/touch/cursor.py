@@ -88,8 +88,7 @@ TAKE_COLOURS: tuple[Colour, ...] = (
 
 
 def take_shape(number: int) -> Shape:
-    """The look of a scene's takes: a cone like the cursor in contact, each in the next colour."""
-    number %= len(TAKE_COLOURS)
+    """The look of a take: a cone like the cursor in contact, in one of ``TAKE_COLOURS``."""
     name = f"Haptic Take {number + 1}" if number else "Haptic Take"
     return Shape(name, TAKE_COLOURS[number], _build_cone, is_smooth=False)
 

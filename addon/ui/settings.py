@@ -126,7 +126,7 @@ class HapticTerrainSettings(bpy.types.PropertyGroup):
         name="Take",
         description="The take that is replaced, or appended to",
         type=bpy.types.Object,
-        poll=lambda _settings, thing: is_take(thing),
+        poll=lambda _settings, thing: is_take(thing) and thing.library is None,
     )
     take_markers: bpy.props.BoolProperty(
         name="Markers",

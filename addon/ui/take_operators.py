@@ -49,7 +49,6 @@ class HAPTIC_TERRAIN_OT_export_take(bpy.types.Operator, ExportHelper):  # type: 
     format: bpy.props.EnumProperty(
         name="Format",
         items=FORMATS,
-        update=lambda operator, _context: operator.rename(),
     )
 
     @classmethod
@@ -60,19 +59,11 @@ class HAPTIC_TERRAIN_OT_export_take(bpy.types.Operator, ExportHelper):  # type: 
             cls.poll_message_set("Select a take: an object that Stop Recording made")
         return take is not None
 
-    def rename(self) -> None:
-        """Give the file the ending of the chosen format."""
-        self.filepath: str = str(Path(self.filepath).with_suffix(f".{self.format.lower()}"))
-
     def check(self, context: bpy.types.Context) -> bool:
-        """Keep the ending and the format alike, also where the name was typed."""
-        wanted = Path(self.filepath).suffix.lower().lstrip(".").upper()
-        if wanted in {name for name, _title, _text in FORMATS}:
-            if wanted != self.format:
-                self.format = wanted
-            return False
-        self.filepath += f".{self.format.lower()}"
-        return True
+        """Give the file the ending of the chosen format, in the file browser; scripts say it by the path."""
+        before = self.filepath  # type: ignore[has-type]
+        self.filepath = str(Path(before).with_suffix(f".{self.format.lower()}")) if before else before
+        return bool(self.filepath != before)
 
     def execute(self, context: bpy.types.Context) -> OperatorStatus:
         """Write it."""
@@ -81,7 +72,8 @@ class HAPTIC_TERRAIN_OT_export_take(bpy.types.Operator, ExportHelper):  # type: 
             return {"CANCELLED"}
         path = Path(bpy.path.abspath(self.filepath))
         try:
-            data, missing = export_take(take, path)
+            with progress(context) as tell:
+                data, missing = export_take(take, path, tell)
         except (KeptTakeError, NoPlaceError, ValueError) as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}

@@ -312,3 +312,20 @@ def test_a_projected_map_shows_its_own_metres_beside_longitude_and_latitude(labe
     assert lines["Latitude"] == "3.2500\N{DEGREE SIGN} S"
     assert "East" not in dict(words(readout, 2.0, in_degrees=True))
     assert "Longitude" not in dict(words(replace(readout, coordinates=None), 2.0, in_degrees=False))
+
+
+def test_the_panel_of_takes_offers_what_there_is_to_choose(label: Path) -> None:
+    import_grid(label)
+    settings = bpy.context.scene.haptic_terrain
+    few = drawn("HAPTIC_TERRAIN_PT_take", "ui.panels.take")
+    assert few.operators == ["haptic_terrain.export_take", "haptic_terrain.import_take"]
+    assert "take_bound" not in few.properties
+    assert "take" not in few.properties
+    settings.take_keys, settings.take_onto, settings.trail = "REDUCED", "APPEND", False
+    more = drawn("HAPTIC_TERRAIN_PT_take", "ui.panels.take")
+    assert {"take_bound", "take"} <= set(more.properties)
+    assert "trail_kinds" not in more.properties
+    module("touch.start").start_touch(bpy.context, device=sweep(), on_the_clock=False)
+    bpy.ops.haptic_terrain.record_start()
+    assert "haptic_terrain.record_discard" in drawn("HAPTIC_TERRAIN_PT_take", "ui.panels.take").operators
+    bpy.ops.haptic_terrain.record_discard()

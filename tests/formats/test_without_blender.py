@@ -50,7 +50,7 @@ def test_every_raw_format_is_read_with_bpy_and_numpy_blocked(tmp_path: Path) -> 
     assert done.stdout.strip() == "[361201, 24, 6, 6, 6]"
 
 
-def test_a_grid_is_read_and_ticks_are_resampled_with_bpy_blocked(tmp_path: Path) -> None:
+def test_a_grid_is_read_with_bpy_blocked(tmp_path: Path) -> None:
     label = MegdrPair(rough(3, 4)).write(tmp_path)
     done = subprocess.run(
         [sys.executable, "-c", SCRIPT, str(label)], cwd=ROOT, capture_output=True, text=True, check=False

@@ -27,6 +27,7 @@ MEANINGS: Mapping[str, str] = {
     "feature": "0 free, 1 face, 2 edge, 3 vertex: what the proxy lies on",
     "mode": "0 normal, 1 pan, 2 zoom",
     "buttons": "bits, the first button is 1",
+    "twist": "rad, of the handle, counter-clockwise; unknown where the device does not tell",
     "vertices": "count, visited in the tick",
     "faces": "count, visited in the tick",
     "collision_tests": "count, in the tick",
@@ -42,6 +43,9 @@ MEANINGS: Mapping[str, str] = {
     ELEVATION: "m, of the ground at the proxy, above the vertical reference that about names",
 }
 """By name: the unit, then what it is measured in or from."""
+
+MAY_BE_UNKNOWN = ("twist",)
+"""Columns that have NaN, and in tables nothing, where nobody can tell; the derived ones do, too."""
 
 UNKNOWN = "not described"
 

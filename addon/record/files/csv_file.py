@@ -7,8 +7,7 @@ their last bit. What cannot be told (a longitude beside the map) is left empty.
 from __future__ import annotations
 
 import json
-import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TextIO
@@ -34,8 +33,17 @@ MOST_IN_LINE = 1 << 16
 """Letters: no line that is written here comes near."""
 
 
-def write_csv(path: Path, data: TakeData, derived: Mapping[str, Numbers]) -> None:
+def write_csv(
+    path: Path,
+    data: TakeData,
+    derived: Mapping[str, Numbers],
+    tell: Callable[[float], None] = lambda _share: None,
+) -> None:
     """Write the table; where that fails, nothing is left and an older file stays as it was.
+
+    Args:
+        derived: columns beside those of the take.
+        tell: is told the share that is written, again and again.
 
     Raises:
         OSError: it cannot be written.
@@ -47,6 +55,7 @@ def write_csv(path: Path, data: TakeData, derived: Mapping[str, Numbers]) -> Non
         for first in range(0, len(data), LINES_AT_ONCE):
             some = [_texts(values[first : first + LINES_AT_ONCE]) for values in columns.values()]
             file.write("".join(f"{','.join(line)}\n" for line in zip(*some, strict=True)).encode())
+            tell(first / len(data))
 
 
 def read_csv(path: Path) -> ReadTake:
@@ -103,7 +112,10 @@ def _head(data: TakeData, names: list[str]) -> Iterator[str]:
 
 
 def _texts(values: Numbers) -> list[str]:
-    return ["" if math.isnan(value) else repr(value) for value in values.tolist()]
+    texts = list(map(repr, values.tolist()))
+    for unknown in np.flatnonzero(np.isnan(values)).tolist():
+        texts[unknown] = ""
+    return texts
 
 
 def _read_head(path: Path, file: TextIO) -> _Head:
@@ -153,12 +165,10 @@ class _WholeLines:
 
     path: Path
     file: TextIO
-    empty: bool = True
 
     def __iter__(self) -> Iterator[str]:
         while (line := self.file.readline(MOST_IN_LINE)).endswith("\n"):
-            self.empty = False
-            yield line
+            yield _filled(line) if ",," in line or line[0] == "," else line
         if len(line) == MOST_IN_LINE:
             raise FormatError(
                 self.path,
@@ -167,6 +177,12 @@ class _WholeLines:
                 expected="the numbers of a tick",
                 way_out=WAY_OUT,
             )
+
+
+def _filled(line: str) -> str:
+    """Write out what was left empty, as numpy reads it."""
+    fields = line.rstrip("\r\n").split(",")
+    return ",".join(field or "nan" for field in fields) + "\n"
 
 
 def _table(path: Path, lines: _WholeLines, kept: list[int]) -> Numbers:

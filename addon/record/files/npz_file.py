@@ -7,6 +7,7 @@ objects whose making runs code.
 from __future__ import annotations
 
 import json
+import re
 import zipfile
 import zlib
 from collections.abc import Mapping
@@ -32,8 +33,15 @@ MOST_BYTES = 8 << 30
 
 MOST_MEMBERS = 1000
 
-MOST_TEXT = 1 << 20
-"""Bytes of ``about``."""
+MAGIC = b"\x93NUMPY\x01\x00"
+
+HEADER = re.compile(
+    r"\{'descr': '(<f8|<U\d{1,6})', 'fortran_order': (?:False|True), 'shape': \((?:(\d{1,12}),)?\), \} *\n"
+)
+"""Of the only arrays that belong here, as numpy writes it: a row of doubles, or a text.
+
+https://numpy.org/doc/stable/reference/generated/numpy.lib.format.html
+"""
 
 
 def write_npz(path: Path, data: TakeData, derived: Mapping[str, Numbers]) -> None:
@@ -44,13 +52,10 @@ def write_npz(path: Path, data: TakeData, derived: Mapping[str, Numbers]) -> Non
     """
     columns = {**data.columns, **derived}
     texts = {ABOUT: about_properties(data.about), UNITS: meanings(list(columns))}
+    arrays: dict[str, Any] = {name: np.array(json.dumps(text)) for name, text in texts.items()}
+    arrays.update((name, np.asarray(values, dtype="<f8")) for name, values in columns.items())
     with unfinished_file(path) as file:
-        np.savez(
-            file,
-            allow_pickle=False,
-            **{name: np.array(json.dumps(text)) for name, text in texts.items()},
-            **{name: np.asarray(values, dtype="<f8") for name, values in columns.items()},
-        )
+        np.savez(file, **arrays)
 
 
 def read_npz(path: Path) -> ReadTake:
@@ -102,23 +107,19 @@ def _arrays(path: Path, archive: zipfile.ZipFile) -> dict[str, Any]:
 
 def _array(path: Path, member: zipfile.ZipInfo, file: IO[bytes]) -> Any:
     """Read one array whose header tells of no more than there is."""
-    try:
-        version = np.lib.format.read_magic(file)
-        if version != (1, 0):
-            raise ValueError(f"version {version}")
-        shape, _fortran, kind = np.lib.format.read_array_header_1_0(file)
-    except (ValueError, TypeError) as error:
-        raise FormatError(
-            path, member.filename, found=first_line(error), expected="an array", way_out=WAY_OUT
-        ) from error
-    is_column = kind == np.dtype("<f8") and len(shape) == 1
-    is_text = kind.kind == "U" and shape == () and kind.itemsize <= MOST_TEXT
-    count = shape[0] if is_column else 1
-    if not (is_column or is_text) or count < 0 or count * kind.itemsize != member.file_size - file.tell():
+    start = file.read(len(MAGIC) + 2)
+    length = int.from_bytes(start[len(MAGIC) :], "little")
+    header = file.read(length).decode("latin-1") if start.startswith(MAGIC) else ""
+    found = HEADER.fullmatch(header)
+    kind = np.dtype(found[1]) if found is not None else np.dtype("<f8")
+    count = int(found[2] or 1) if found is not None else -1
+    is_column = found is not None and found[2] is not None and kind.kind == "f"
+    is_text = found is not None and found[2] is None and kind.kind == "U"
+    if not (is_column or is_text) or count * kind.itemsize != member.file_size - len(start) - length:
         raise FormatError(
             path,
             member.filename,
-            found=shortened(f"{kind} {shape} in {member.file_size:,} bytes"),
+            found=shortened(f"{member.file_size:,} bytes: {header or start!r}"),
             expected="a row of doubles, or a text",
             way_out=WAY_OUT,
         )

@@ -13,7 +13,7 @@ from ...formats.format_error import FormatError
 from ...formats.refusal import shortened
 from ..about_properties import about_from
 from ..take_data import MODES, NEEDED, Numbers, TakeAbout, TakeData
-from .columns import DERIVED, MEANINGS
+from .columns import DERIVED, MAY_BE_UNKNOWN, MEANINGS
 
 WAY_OUT = "Export the take again."
 
@@ -74,7 +74,8 @@ def looked_over(path: Path, columns: Mapping[str, Numbers], about: TakeAbout) ->
     if not len(columns["time"]):
         raise FormatError(path, "ticks", found="none", expected="at least one", way_out=WAY_OUT)
     for name, values in columns.items():
-        _check(path, name, values, np.isfinite(values), "finite numbers")
+        known = np.isfinite(values) | (np.isnan(values) & (name in MAY_BE_UNKNOWN))
+        _check(path, name, values, known, "finite numbers")
     time = columns["time"]
     _check(path, "time", time, np.diff(time, prepend=time[0]) >= 0.0, "seconds that never fall")
     _check(path, "feature", columns["feature"], _among(columns["feature"], FEATURES), "0 to 3")
