@@ -90,7 +90,9 @@ def _bake(chosen: argparse.Namespace, say: Say) -> Mapping[str, Any]:
         say(note)
     for file in chosen.take:
         with refused():
-            parts("record.take_files").export_take(take.take, file)
+            _data, missing = parts("record.take_files").export_take(take.take, file, lambda _share: None)
+        if missing:
+            say(missing)
     if chosen.output is not None:
         save_blend(chosen.output)
     data = result.data
