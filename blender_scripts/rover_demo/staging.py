@@ -42,7 +42,7 @@ class Staged:
     scene: bpy.types.Scene
     takes: list[Any]
     strongest: float
-    """Newtons."""
+    """Newtons, of what is shown."""
 
 
 def stage(parts: Parts, grid: Path, vertices: int, exaggeration: float, say: Say) -> Staged:
@@ -66,8 +66,9 @@ def stage(parts: Parts, grid: Path, vertices: int, exaggeration: float, say: Say
 
     way = places(rover, scene)
     scene.frame_set(SHOWN_FRAME)
-    strongest = max(float(result.data.force.max()) for result, _take in takes)
-    tracks = _tracks(parts, takes, strongest, (SHOWN_FRAME - 1) / bake.frame_rate(scene))
+    seconds = (SHOWN_FRAME - 1) / bake.frame_rate(scene)
+    strongest = max(_strongest(result.data, seconds) for result, _take in takes)
+    tracks = _tracks(parts, takes, strongest, seconds)
     title = parts("terrain.kept").recall(terrain).grid.title
     frame = Frame(
         centre=way[SHOWN_FRAME - 1] + Vector((-0.13, 0.1, 0.04)),
@@ -82,6 +83,11 @@ def stage(parts: Parts, grid: Path, vertices: int, exaggeration: float, say: Say
     background.inputs["Color"].default_value = SKY
     draw_ahead(scene, way[SHOWN_FRAME + 8 :], bpy.data.materials["Caption"])
     return Staged(scene, [take for _result, take in takes], strongest)
+
+
+def _strongest(data: Any, seconds: float) -> float:
+    """Newtons that were felt at most up to a moment."""
+    return float(data.force[data.columns["time"] <= seconds].max())
 
 
 def _tracks(parts: Parts, takes: list[tuple[Any, Any]], strongest: float, seconds: float) -> list[Any]:
