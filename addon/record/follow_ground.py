@@ -16,6 +16,7 @@ import bpy
 import numpy as np
 
 from ..terrain.undone import undone_on_failure
+from ..touch.handle import Handle
 from ..touch.own_object import mark_own
 from .animated import AnimationError, found
 from .bake import Bake, baked, frame_rate, opened_ground, path_of, terrain_places, usable_stand
@@ -57,7 +58,7 @@ def followed(bake: Bake, follow: Follow) -> Generator[float, None, Followed]:
         raise AnimationError("A bone cannot be kept on the ground: choose an object that the rig follows.")
     if thing.library is not None:
         raise AnimationError(f"{thing.name} is linked from another file: make a library override of it.")
-    with _muted(thing):
+    with _muted(bake.goal.thing):
         way = yield from (_proxy_way(bake) if follow.path == "PROXY" else _own_way(bake))
     standing = stood(way, follow)
     rotations = None if standing.rotations is None else _keys(bake, way, standing.rotations)
@@ -118,16 +119,17 @@ def _ties(thing: bpy.types.Object) -> list[Any]:
 
 
 @contextmanager
-def _muted(thing: bpy.types.Object) -> Iterator[None]:
+def _muted(thing: Handle[bpy.types.Object]) -> Iterator[None]:
     """Let an object that follows the ground already go its own way."""
-    muted = [tie for tie in _ties(thing) if not tie.mute]
-    for tie in muted:
+    muted = {tie.name for tie in _ties(found(thing)) if not tie.mute}
+    for tie in _ties(found(thing)):
         tie.mute = True
     try:
         yield
-    finally:
-        for tie in muted:
-            tie.mute = False
+    finally:  # the object may have been deleted meanwhile, and its constraints with it
+        left = thing.find()
+        for tie in _ties(left) if left is not None else ():
+            tie.mute = tie.mute and tie.name not in muted
 
 
 def _own_way(bake: Bake) -> Generator[float, None, Way]:

@@ -204,7 +204,20 @@ def test_a_cancelled_search_leaves_the_object_as_it_was(terrain: bpy.types.Objec
     assert (contents(), seen(goal, 20)) == (before, there)
 
 
-def test_bones_and_linked_objects_are_told(terrain: bpy.types.Object) -> None:
+def test_an_object_that_is_deleted_meanwhile_ends_the_search(terrain: bpy.types.Object) -> None:
+    goal = moving(places=PLACES)
+    follow()
+    part, animated = module("record.follow_ground"), module("record.animated")
+    goal_of = animated.Animated(module("touch.handle").Handle.to(goal))
+    bake = module("record.bake").bake_of(bpy.context, goal_of, terrain, animated.Frames(1, 40))
+    work = part.followed(bake, module("record.standing").Follow())
+    next(work)
+    bpy.data.objects.remove(goal)
+    with pytest.raises(animated.AnimationError, match="Goal is gone"):
+        next(work)
+
+
+def test_a_bone_is_told(terrain: bpy.types.Object) -> None:
     goal = moving(places=PLACES)
     part, animated = module("record.follow_ground"), module("record.animated")
     bone = animated.Animated(module("touch.handle").Handle.to(goal), bone="Arm")
