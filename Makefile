@@ -135,6 +135,10 @@ $(SITE)/site.stamp: $(PACKAGES) $(NATIVE_SOURCES) | cargo
 	@$(BIN)/python -m pip install --quiet --target $(SITE) --group blender
 	@touch $@
 
+.PHONY: rover
+rover: cargo $(NATIVE) $(SAMPLE) ## Render a rover that follows the ground, and feels it: build/rover
+	@$(IN_BUILD) $(BIN)/python blender_scripts/rover.py --output $(BUILD)/rover
+
 .PHONY: test
 test: test-native test-python ## Run every test
 

@@ -12,6 +12,7 @@ from .terrain import saving
 from .touch import timer
 from .touch.live import live
 from .ui import (
+    bake_operators,
     import_operator,
     keymap,
     panel,
@@ -23,7 +24,7 @@ from .ui import (
     take_operators,
     touch_operators,
 )
-from .ui.panels import colours, georeference, profile, take
+from .ui.panels import bake, colours, georeference, profile, take
 
 CLASSES: tuple[type, ...] = (
     settings.HapticTerrainSettings,
@@ -38,6 +39,9 @@ CLASSES: tuple[type, ...] = (
     record_operators.HAPTIC_TERRAIN_OT_record_start,
     record_operators.HAPTIC_TERRAIN_OT_record_stop,
     record_operators.HAPTIC_TERRAIN_OT_record_discard,
+    bake_operators.HAPTIC_TERRAIN_OT_bake,
+    bake_operators.HAPTIC_TERRAIN_OT_follow_ground,
+    bake_operators.HAPTIC_TERRAIN_OT_leave_ground,
     take_operators.HAPTIC_TERRAIN_OT_export_take,
     take_operators.HAPTIC_TERRAIN_OT_import_take,
     place_operators.HAPTIC_TERRAIN_OT_go_to,
@@ -53,6 +57,8 @@ CLASSES: tuple[type, ...] = (
     panel.HAPTIC_TERRAIN_PT_touch,
     panel.HAPTIC_TERRAIN_PT_safety,
     panel.HAPTIC_TERRAIN_PT_record,
+    bake.HAPTIC_TERRAIN_PT_bake,
+    bake.HAPTIC_TERRAIN_PT_follow_ground,
     take.HAPTIC_TERRAIN_PT_take,
 )
 

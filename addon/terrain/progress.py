@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Generator, Iterator
 from contextlib import contextmanager
+from typing import TypeVar
 
 import bpy
+
+Result = TypeVar("Result")
 
 Tell = Callable[[float], None]
 """Takes the share that is done, 0 to 1."""
@@ -20,3 +23,13 @@ def progress(context: bpy.types.Context) -> Iterator[Tell]:
         yield manager.progress_update
     finally:
         manager.progress_end()
+
+
+def finished(work: Generator[float, None, Result], tell: Tell = lambda _share: None) -> Result:
+    """Do work that tells the share that is done, and give what comes of it."""
+    try:
+        while True:
+            tell(next(work))
+    except StopIteration as done:
+        result: Result = done.value
+        return result

@@ -16,7 +16,7 @@ SAMPLES = 24
 LENS, SENSOR = 50.0, 36.0
 """Millimetres: a normal lens."""
 PITCH = math.radians(50.0)
-"""Of the view, below the horizon."""
+"""Of the view, below the horizon: as on a table."""
 
 
 @dataclass(frozen=True)
@@ -30,6 +30,9 @@ class Frame:
     caption: str
     strongest: float
     """Newtons at the upper end of the trail's colours."""
+    pitch: float = PITCH
+    bearing: float = 0.0
+    """Radians, clockwise from north: where the view looks."""
 
 
 def set_up_picture(terrain: bpy.types.Object, trail: bpy.types.Object | None, frame: Frame) -> None:
@@ -63,14 +66,15 @@ def open_scene() -> bpy.types.Scene:
 
 
 def _camera(scene: bpy.types.Scene, frame: Frame) -> bpy.types.Object:
-    """Look north, from above."""
+    """Look from above."""
     distance = frame.across * LENS / SENSOR
     camera = bpy.data.cameras.new("Picture")
     camera.lens, camera.sensor_width = LENS, SENSOR
     camera.clip_start, camera.clip_end = 0.001 * distance, 100.0 * distance
     camera.dof.focus_distance = distance
     eye = bpy.data.objects.new("Picture", camera)
-    away = Vector((0.0, -math.cos(PITCH), math.sin(PITCH)))
+    level = math.cos(frame.pitch)
+    away = Vector((-level * math.sin(frame.bearing), -level * math.cos(frame.bearing), math.sin(frame.pitch)))
     eye.location = frame.centre + distance * away
     eye.rotation_euler = away.to_track_quat("Z", "Y").to_euler()
     scene.collection.objects.link(eye)

@@ -6,10 +6,10 @@ import math
 import os
 import platform
 from collections.abc import Sequence
-from pathlib import Path
 from typing import Any
 
 import bpy
+from pipeline.machine import processor
 from proxygraph import GridRange
 
 from touch_demo.counts import Counts
@@ -141,16 +141,6 @@ def _replay_figures(prefix: str, found: Replay) -> Figures:
         **Counts.of(statistics).figures(prefix),
         **found.swipes.figures(f"{prefix}swipe_"),
     }
-
-
-def processor() -> str:
-    """The processor's name, as far as the system tells."""
-    told = Path("/proc/cpuinfo")
-    if told.is_file():
-        for line in told.read_text(encoding="utf-8", errors="replace").splitlines():
-            if line.startswith("model name"):
-                return line.partition(":")[2].strip()
-    return platform.processor() or platform.machine()
 
 
 def _place(which: str, metres: float, cell: tuple[int, int], georeference: Any) -> Figures:

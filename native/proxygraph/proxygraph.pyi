@@ -598,6 +598,27 @@ class ContactModel:
         """Put the proxy there, out of contact (terrain frame, metres)."""
     def update(self, east: float, north: float, up: float) -> Contact:
         """Move the proxy toward the goal (terrain frame, metres). Never raises for NaN: the proxy stays."""
+    def follow(self, goals: Buffer) -> Contacts:
+        """``update`` for one goal after the other, at once (without the GIL).
+
+        Args:
+            goals: n x 3 doubles, C-contiguous: east, north and up of each (terrain frame, metres).
+
+        Raises:
+            ValueError: the buffer holds something else.
+        """
+
+@final
+class Contacts:
+    """What the updates of ``ContactModel.follow`` found, a column of doubles for each quantity."""
+
+    columns: tuple[str, ...]
+    """``proxy_east proxy_north proxy_up spring_x spring_y spring_z feature vertices faces collision_tests cells
+    far_edge_crossings steps_left`` (spring: workspace metres from the goal to the proxy; feature: 0 free, 1 face,
+    2 edge, 3 vertex; the rest as in ``Contact``)."""
+    def __len__(self) -> int: ...
+    def column(self, name: str) -> memoryview:
+        """One value an update, format ``d``. Raises KeyError for an unknown name."""
 
 @final
 class ScriptedDevice:

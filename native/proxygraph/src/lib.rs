@@ -2,6 +2,7 @@
 //! units and errors, is `proxygraph.pyi`.
 
 mod choice;
+mod contacts;
 mod decode;
 mod devices;
 mod errors;
@@ -28,6 +29,8 @@ mod module {
     use super::*;
     #[pymodule_export]
     use crate::choice::model_descriptions;
+    #[pymodule_export]
+    use crate::contacts::Contacts;
     #[pymodule_export]
     use crate::decode::{CancelledError, DecodeError, Progress};
     #[pymodule_export]

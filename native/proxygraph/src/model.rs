@@ -1,10 +1,12 @@
 //! Contact models without a servo.
 
 use crate::choice::{Choice, DEFAULT, Knobs};
+use crate::contacts::{Contacts, Found};
 use crate::errors::value_error;
 use crate::grid::Grid;
 use crate::numbers::Whole;
 use contact::Feature;
+use pyo3::buffer::PyBuffer;
 use pyo3::prelude::*;
 use std::sync::{Arc, Mutex, PoisonError};
 use surface::Metric;
@@ -80,6 +82,34 @@ impl ContactModel {
         let contact = owned(&mut self.model).update(&self.grid, &self.metric, &goal);
         Contact { proxy: self.grid.layout().terrain_place(&contact.proxy).into(), contact }
     }
+
+    fn follow(&mut self, py: Python<'_>, goals: &Bound<'_, PyAny>) -> PyResult<Contacts> {
+        // A copy: what a buffer holds may change while nobody holds the GIL.
+        let goals = doubles(py, goals)?;
+        let (goals, rest) = goals.as_chunks::<3>();
+        if !rest.is_empty() {
+            return Err(value_error(format!(
+                "goals has {} numbers; expected three for each: east, north and up",
+                3 * goals.len() + rest.len()
+            )));
+        }
+        let (grid, metric, model) = (&self.grid, &self.metric, owned(&mut self.model));
+        let follow = |goal: &[f64; 3]| {
+            let contact = model.update(grid, metric, &grid.layout().grid_point(*goal));
+            Found { proxy: grid.layout().terrain_place(&contact.proxy), contact }
+        };
+        Ok(Contacts::new(py.detach(|| goals.iter().map(follow).collect())))
+    }
+}
+
+/// The doubles of a buffer.
+fn doubles(py: Python<'_>, buffer: &Bound<'_, PyAny>) -> PyResult<Vec<f64>> {
+    let expected = "goals is not what was expected: a C-contiguous buffer of doubles";
+    let buffer = PyBuffer::<f64>::get(buffer).map_err(|_| value_error(expected))?;
+    if !buffer.is_c_contiguous() {
+        return Err(value_error(expected));
+    }
+    buffer.to_vec(py)
 }
 
 fn owned<T: ?Sized>(model: &mut Mutex<Box<T>>) -> &mut T {

@@ -72,7 +72,8 @@ impl Ticks {
     }
 }
 
-fn feature_number(feature: Feature) -> f64 {
+/// A feature as the columns of doubles have it.
+pub fn feature_number(feature: Feature) -> f64 {
     match feature {
         Feature::Free => 0.0,
         Feature::Face => 1.0,

@@ -1,0 +1,1 @@
+"""What the scripts for pipelines share: arguments, exit codes, summaries, scenes."""
