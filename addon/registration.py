@@ -9,6 +9,7 @@ import bpy
 from .formats.cache import cache
 from .terrain import saving
 from .touch import timer
+from .touch.live import live
 from .ui import (
     import_operator,
     keymap,
@@ -34,6 +35,7 @@ CLASSES: tuple[type, ...] = (
     stylus_operators.HAPTIC_TERRAIN_OT_twist,
     record_operators.HAPTIC_TERRAIN_OT_record_start,
     record_operators.HAPTIC_TERRAIN_OT_record_stop,
+    record_operators.HAPTIC_TERRAIN_OT_recover_take,
     place_operators.HAPTIC_TERRAIN_OT_go_to,
     place_operators.HAPTIC_TERRAIN_OT_show_curvature,
     place_operators.HAPTIC_TERRAIN_OT_colour_by,
@@ -58,6 +60,7 @@ def register() -> None:
     bpy.types.TOPBAR_MT_file_import.append(import_operator.draw_menu)  # type: ignore[arg-type]
     # Extensions write nowhere else.
     cache.folder = Path(bpy.utils.extension_path_user(__package__, path="cache"))
+    live.spool_folder = Path(bpy.utils.extension_path_user(__package__, path="takes"))
     saving.register()
     timer.register()
     keymap.register()

@@ -1,19 +1,26 @@
-"""Starting and stopping a take. Curves are written once, when it stops."""
+"""Starting and stopping a take. Curves are written once, when it stops; until then it is on the disk too."""
 
 from __future__ import annotations
 
+import logging
 from dataclasses import dataclass
 
 import bpy
 
+from ..terrain.kept import KeptError, recall
 from ..terrain.progress import progress
 from ..terrain.undone import undone_on_failure
-from ..touch.live import Recording, live
+from ..touch.live import Recording, Touch, live
 from ..touch.placement import Placement
 from ..touch.recorder import Recorder
-from ..touch.stop import collect_ticks
+from ..touch.stop import note_model
+from .about_take import AboutTake, told_of
+from .spools import new_spool
 from .take import add_take
 from .trail import add_trail
+
+
+log = logging.getLogger(__name__)
 
 
 class RecordingError(RuntimeError):
@@ -21,7 +28,7 @@ class RecordingError(RuntimeError):
 
 
 @dataclass(frozen=True)
-class Take:
+class Written:
     """What a take left in the scene."""
 
     take: bpy.types.Object
@@ -30,7 +37,7 @@ class Take:
     """On each of its curves."""
     seconds: float
     dropped: int
-    """Ticks that were lost because Blender was busy for longer than the ring lasts."""
+    """Ticks that were lost because the computer was too busy, or out of memory."""
 
 
 def start_recording(context: bpy.types.Context) -> None:
@@ -50,38 +57,85 @@ def start_recording(context: bpy.types.Context) -> None:
     scene = touch.scene.find()
     if scene is None:
         raise RecordingError("The scene in which touch was started is gone: start it again.")
-    collect_ticks(touch)
+    try:
+        grid = recall(terrain).grid
+    except KeptError as error:
+        raise RecordingError(str(error)) from error
+    about = AboutTake(
+        terrain=terrain.name,
+        title=grid.title,
+        source=str(grid.data_path),
+        grid=told_of(grid),
+        model=touch.session.model,
+        start_frame=scene.frame_current,
+    )
     live.recording = Recording(
         touch=touch,
-        recorder=Recorder(),
+        recorder=Recorder(touch.session),
         placement=Placement.of(terrain, touch.frame),
         start_frame=scene.frame_current,
-        dropped_before=touch.session.statistics().dropped,
+        not_spooled=_record(touch, about.text()),
     )
 
 
-def stop_recording(context: bpy.types.Context, *, trail: bool = True) -> Take:
+def stop_recording(context: bpy.types.Context, *, trail: bool = True) -> Written:
     """Write the take, and its trail where one is wanted.
 
     Raises:
         RecordingError: no take is being recorded, or nothing was felt.
     """
     if live.touch is not None:
-        collect_ticks(live.touch)
+        note_model(live.touch)
     recording, live.recording = live.recording, None
     if recording is None:
         raise RecordingError("No take is being recorded.")
-    if not len(recording.recorder):
+    take = recording.recorder.end()
+    if not len(take):
+        _discard(recording)
         raise RecordingError("The take is empty: nothing was written.")
     scene = recording.touch.scene.find() or context.scene
     if scene is None:
         raise RecordingError("The scene in which the take was recorded is gone, and no other one is open.")
-    placement = _placement(recording)
+    return write_take(context, scene, recording, _placement(recording), trail=trail)
+
+
+def write_take(
+    context: bpy.types.Context,
+    scene: bpy.types.Scene,
+    recording: Recording,
+    placement: Placement,
+    *,
+    trail: bool,
+) -> Written:
+    """Write a take that has ended, and remove its file once it is in the scene."""
     with progress(context) as tell, undone_on_failure():
         take, keyframes = add_take(scene, recording, placement)
         tell(0.1)
         drawn = add_trail(scene, recording, placement, tell) if trail else None
-    return Take(take, drawn, keyframes, recording.recorder.seconds, recording.dropped)
+    _discard(recording)
+    return Written(take, drawn, keyframes, recording.recorder.seconds, recording.recorder.dropped)
+
+
+def _record(touch: Touch, about: str) -> str:
+    """Begin, and say why the take is in memory only; an empty text where it is on the disk too."""
+    refused = ""
+    if live.spool_folder is not None:
+        try:
+            touch.session.start_recording(about, spool=new_spool(live.spool_folder))
+        except OSError as error:
+            refused = f"{live.spool_folder} cannot be written to ({error.strerror or error})"
+        else:
+            return ""
+    touch.session.start_recording(about)
+    return refused or "the extension has no folder"
+
+
+def _discard(recording: Recording) -> None:
+    """Remove a take's file; one that stays is offered again, which loses nothing."""
+    try:
+        recording.recorder.end().discard_spool()
+    except OSError as error:
+        log.warning("a take's file stays: %s", error)
 
 
 def _placement(recording: Recording) -> Placement:

@@ -41,11 +41,11 @@ def contact_trails(
             farther ones are joined along the ground.
         most: points of all trails together; they are farther apart where there would be more.
     """
-    columns = {name: np.frombuffer(values) for name, values in recorder.columns.items()}
-    places = np.stack([columns[f"proxy_{axis}"] for axis in ("east", "north", "up")], axis=1)
-    force = np.sqrt(sum(columns[f"force_{axis}"] ** 2 for axis in "xyz"))
+    columns = recorder.columns
+    places = np.stack([np.frombuffer(columns[f"proxy_{axis}"]) for axis in ("east", "north", "up")], axis=1)
+    force = np.sqrt(sum(np.frombuffer(columns[f"force_{axis}"]) ** 2 for axis in "xyz"))
     ways = []
-    for first, last in _touches(columns["feature"] != 0.0, places[:, 0], frame):
+    for first, last in _touches(np.frombuffer(columns["feature"]) != 0.0, places[:, 0], frame):
         kept = _kept(places[first:last, :2], spacing) + first
         if len(kept) > 1:  # a single point has no direction to draw
             ways.append((kept, _distances(places[kept], spacing)))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from pathlib import Path
 
 import bpy
 from proxygraph import Grid, Session, Window
@@ -65,11 +66,9 @@ class ModelChoice:
 
 
 @dataclass
-class Touch:
-    """A hand on a terrain."""
+class Touched:
+    """What is touched, or was when a take was recorded."""
 
-    session: Session
-    model: ModelChoice
     grid: Grid
     georeference: Georeference
     frame: TerrainFrame
@@ -77,6 +76,14 @@ class Touch:
     scene: Handle[bpy.types.Scene]
     """Where touch was started: the cursor belongs there, whatever scene is looked at."""
     terrain: Handle[bpy.types.Object]
+
+
+@dataclass
+class Touch(Touched):
+    """A hand on a terrain."""
+
+    session: Session
+    model: ModelChoice
     target: Handle[bpy.types.Object] | None
     """The Empty; ``None`` where the device needs none."""
     workspace: tuple[float, float, float]
@@ -97,6 +104,8 @@ class Touch:
     """Of the simulated handle, radians counter-clockwise."""
     passivity_control: bool = False
     """What the session was told last."""
+    pre_roll: float = 0.0
+    """The same, seconds."""
     readout: Readout | None = None
 
 
@@ -104,17 +113,15 @@ class Touch:
 class Recording:
     """A take in the making; it outlives the session, so that a fault does not lose it."""
 
-    touch: Touch
+    touch: Touched
     recorder: Recorder
     placement: Placement
     """Of the terrain when the take began, for when it is gone at the end."""
     start_frame: int
-    dropped_before: int
-    """Ticks that the session had lost when the take began."""
-    dropped: int = 0
-    """Ticks that the take lost."""
     models: list[str] = field(default_factory=list)
     """Contact models that answered, in their order."""
+    not_spooled: str = ""
+    """Why the take is in memory only from the beginning; empty where it is not."""
 
 
 @dataclass
@@ -127,6 +134,8 @@ class Live:
     """Why touch ended by itself, or does not do what was chosen; empty where all is well."""
     rendering: bool = False
     """Nothing is written to the scene while it is rendered."""
+    spool_folder: Path | None = None
+    """Where takes are until they are written to the scene; ``None`` while the extension is off."""
     opened: OpenedGrids = field(default_factory=OpenedGrids)
     """What was decoded for an import, so that touch need not do it again; until another file is loaded."""
 
