@@ -19,7 +19,6 @@ from .spools import new_spool
 from .take import add_take
 from .trail import add_trail
 
-
 log = logging.getLogger(__name__)
 
 

@@ -960,7 +960,7 @@ class Take:
         """What of a file was not read, in words: it was cut short or is damaged. ``None`` where it is whole."""
     @property
     def spool_failure(self) -> str | None:
-        """Why the take has no file, in the system's words, though one was asked for."""
+        """Why the file that the take was spooled to is not whole, in the system's words; ``None`` where it is."""
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write a whole take to a file, over what was there.
 

@@ -81,7 +81,7 @@ def test_a_take_whose_window_was_moved_leads_over_the_same_ground() -> None:
     session = touch(hills(), wandering(), modes=True)
     session.start_recording()
     for mode in ("normal", "zoom", "normal", "pan", "normal"):
-        session.set_mode(mode)  # type: ignore[arg-type]
+        session.set_mode(mode)
         session.step(180)
     take = session.stop_recording()
     assert len(set(take.column("window_width").tolist())) > 1

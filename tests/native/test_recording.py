@@ -127,7 +127,7 @@ def test_a_take_is_saved_over_an_older_one_or_not_at_all(tmp_path: Path) -> None
     with pytest.raises(OSError, match="missing") as refused:
         take.save(tmp_path / "missing" / "take.touch")
     assert refused.value.filename == str(tmp_path / "missing" / "take.touch")
-    assert os.listdir(tmp_path) == ["take.touch"]
+    assert [file.name for file in tmp_path.iterdir()] == ["take.touch"]
 
 
 def test_what_was_recorded_so_far_stays_as_it_was() -> None:
@@ -164,7 +164,7 @@ def test_a_spool_that_cannot_be_made_is_refused_and_nothing_is_recorded(tmp_path
     with pytest.raises(ValueError, match="at most 1048576"):
         session.start_recording(" " * 2_000_000, spool=tmp_path / "take.touch")
     assert session.recording is None
-    assert os.listdir(tmp_path) == ["there"]
+    assert [file.name for file in tmp_path.iterdir()] == ["there"]
 
 
 def test_a_pre_roll_that_cannot_be_is_refused() -> None:

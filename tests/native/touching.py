@@ -19,7 +19,9 @@ def over_the_middle() -> Window:
 
 
 def touch(
-    grid: Grid, device: ScriptedDevice | SimulatedDevice | PlaybackDevice, **settings: float | str | bool | None
+    grid: Grid,
+    device: ScriptedDevice | SimulatedDevice | PlaybackDevice,
+    **settings: float | str | bool | None,
 ) -> Session:
     """A session over the middle of the ground."""
     return Session(grid, device, over_the_middle(), **settings)  # type: ignore[arg-type]

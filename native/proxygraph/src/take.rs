@@ -65,7 +65,7 @@ pub struct Take {
     lost: Option<String>,
     /// Its file, which is nobody else's meanwhile.
     spool: Mutex<Option<Spool>>,
-    /// Why it has none any more.
+    /// Why its file is not whole.
     spool_failure: Option<String>,
 }
 

@@ -10,7 +10,6 @@
 //! the ticks' only while ticks are moved. Whoever wants both takes the spool's first.
 
 use std::collections::VecDeque;
-use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard};
 
@@ -170,8 +169,8 @@ impl Collector {
         let InTheMaking { take, mut failure, .. } = collected.recording.take()?;
         collected.forget_old();
         let mut spool = spool.take();
-        if let Some(Err(error)) = spool.as_mut().map(|spool| spool.finish(take.dropped)) {
-            failure = Some(error.to_string());
+        if let Some(spool) = spool.as_mut().filter(|_| failure.is_none()) {
+            failure = spool.finish(take.dropped).err().map(|error| error.to_string());
         }
         Some(Recorded { take, spool, failure })
     }
@@ -186,32 +185,27 @@ impl Collector {
         self.write(&mut self.spool(), STEPS_IN_BLOCK);
     }
 
-    /// Writes while there are at least so many ticks to write.
+    /// Writes while there are at least so many ticks to write, and until the disk fails: then the file
+    /// stays as it is, and memory goes on.
     fn write(&self, spool: &mut Option<Spool>, least: usize) {
-        while let Some(writer) = spool {
-            let Some((ticks, dropped)) = self.unwritten(least) else { return };
-            let written = writer.write(&ticks, dropped).and_then(|()| writer.sync_in_time());
-            let is_done = ticks.len() < MOST_IN_BLOCK;
-            let spooled = writer.ticks() as usize;
+        let Some(spool) = spool else { return };
+        while let Some((ticks, dropped)) = self.unwritten(least) {
+            let written = spool.write(&ticks, dropped).and_then(|()| spool.sync_in_time());
             if let Some(recording) = &mut self.collected().recording {
-                recording.spooled = spooled;
-                recording.failure = written.as_ref().err().map(io::Error::to_string);
+                recording.spooled = spool.ticks() as usize;
+                recording.failure = written.err().map(|error| error.to_string());
             }
-            if written.is_err() {
-                // Memory goes on. What is on the disk stays there for who looks for it.
-                *spool = None;
-            }
-            if is_done {
+            if ticks.len() < MOST_IN_BLOCK {
                 return;
             }
         }
     }
 
     /// Ticks of the take that were not written, up to a block of them, or none where there are not so
-    /// many as `least`; and how many were lost by then.
+    /// many as `least`; and how many were lost by then. `None` where no more can be written.
     fn unwritten(&self, least: usize) -> Option<(Vec<Tick>, u64)> {
         let collected = self.collected();
-        let recording = collected.recording.as_ref()?;
+        let recording = collected.recording.as_ref().filter(|take| take.failure.is_none())?;
         let (ticks, first) = (&recording.take.ticks, recording.spooled);
         let are_enough = ticks.len() - first >= least;
         let ticks = if are_enough { ticks.part(first, MOST_IN_BLOCK) } else { Vec::new() };

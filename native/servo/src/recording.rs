@@ -26,8 +26,8 @@ pub struct Recording {
 pub struct Recorded {
     /// The take.
     pub take: Take,
-    /// Its file, which is whole; `None` where there is none, or it failed.
+    /// Its file; `None` where it is in memory only.
     pub spool: Option<Spool>,
-    /// Why it failed, in the system's words.
+    /// Why the file is not whole, in the system's words; `None` where it is.
     pub failure: Option<String>,
 }
