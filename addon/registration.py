@@ -70,6 +70,7 @@ def unregister() -> None:
     """Remove what ``register`` added."""
     keymap.unregister()
     timer.unregister()
+    live.spool_folder = None
     saving.unregister()
     bpy.types.TOPBAR_MT_file_import.remove(import_operator.draw_menu)  # type: ignore[arg-type]
     del bpy.types.Scene.haptic_terrain

@@ -107,10 +107,14 @@ def write_take(
     trail: bool,
 ) -> Written:
     """Write a take that has ended, and remove its file once it is in the scene."""
-    with progress(context) as tell, undone_on_failure():
-        take, keyframes = add_take(scene, recording, placement)
-        tell(0.1)
-        drawn = add_trail(scene, recording, placement, tell) if trail else None
+    try:
+        with progress(context) as tell, undone_on_failure():
+            take, keyframes = add_take(scene, recording, placement)
+            tell(0.1)
+            drawn = add_trail(scene, recording, placement, tell) if trail else None
+    except BaseException:
+        recording.recorder.end().release_spool()  # to be recovered
+        raise
     _discard(recording)
     return Written(take, drawn, keyframes, recording.recorder.seconds, recording.recorder.dropped)
 

@@ -44,6 +44,7 @@ def recover_take(context: bpy.types.Context, *, trail: bool = True) -> Recovered
         try:
             recording = _recording(scene, path, take)
         except RecordingError as error:
+            take.release_spool()
             refused.append(str(error))
             continue
         written = write_take(context, scene, recording, recording.placement, trail=trail)

@@ -37,7 +37,7 @@ def left_takes(folder: Path, unreadable: list[str]) -> Iterator[tuple[Path, Take
         try:
             take = claim_take(path)
             if not len(take):
-                take.discard_spool()
+                _leave_empty(path, take, unreadable)
                 continue
         except TakeInUseError:
             continue  # it is recorded now, here or in another Blender
@@ -45,6 +45,15 @@ def left_takes(folder: Path, unreadable: list[str]) -> Iterator[tuple[Path, Take
             unreadable.append(str(error))
             continue
         yield path, take
+
+
+def _leave_empty(path: Path, take: Take, unreadable: list[str]) -> None:
+    """Remove a take in which nothing was felt; what was felt and is damaged stays."""
+    if take.lost is None:
+        take.discard_spool()
+    else:
+        take.release_spool()
+        unreadable.append(f"{path}: {take.lost}.")
 
 
 def _newest_first(folder: Path) -> list[Path]:

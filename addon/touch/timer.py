@@ -67,7 +67,10 @@ def _before_load(*_arguments: object) -> None:
         live.message = ""  # it was about the file before
     live.opened.clear()
     recording, live.recording = live.recording, None
-    stop_touch(f"Touch stopped: another file was loaded.{_left_behind(recording)}")
+    left = _left_behind(recording)
+    if live.touch is None and left:
+        live.message = left
+    stop_touch(f"Touch stopped: another file was loaded. {left}".rstrip())
 
 
 def _left_behind(recording: Recording | None) -> str:
@@ -76,8 +79,8 @@ def _left_behind(recording: Recording | None) -> str:
         return ""
     take = recording.recorder.end()
     if recording.not_spooled or take.spool_failure is not None:
-        return f" The take of {take.seconds:.1f} s was not kept."
-    return f" The take of {take.seconds:.1f} s is on the disk: Recover Last Take writes it to its terrain."
+        return f"The take of {take.seconds:.1f} s was not kept."
+    return f"The take of {take.seconds:.1f} s is on the disk: Recover Last Take writes it to its terrain."
 
 
 @persistent  # type: ignore[untyped-decorator]

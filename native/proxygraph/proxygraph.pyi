@@ -933,7 +933,7 @@ class Take:
     normal of a surface without friction, in the workspace frame (turned with the window, heights exaggerated); zero
     in free space, in pan mode as when the surface was grabbed; floats of 32 bits in a take. ``buttons``: a bit each,
     the first is the stylus button, also where ``Session.press`` pressed it. ``twist`` is the turn of the handle,
-    radians; NaN where the device does not tell."""
+    radians; 0 where the device does not tell."""
     def __len__(self) -> int: ...
     def column(self, name: str) -> memoryview:
         """One value a tick, format ``d``. Raises KeyError for an unknown name."""
@@ -969,7 +969,12 @@ class Take:
     def discard_spool(self) -> None:
         """Remove the file that the take was spooled to, or was claimed from; harmless where there is none.
 
-        Until then, or until the take is garbage, no other process can claim it. Raises OSError.
+        Raises OSError.
+        """
+    def release_spool(self) -> None:
+        """Leave that file where it is, to be claimed by whoever wants it.
+
+        Until one of these is called, or the take is garbage, nobody can claim it. Harmless where there is none.
         """
 
 def read_take(path: str | os.PathLike[str]) -> Take:

@@ -42,7 +42,8 @@ def crash(touch: Any, ticks: int = 1000) -> None:
     """Record, and forget all about it as a process does that ends."""
     live = module("touch.live").live
     bpy.ops.haptic_terrain.record_start()
-    touch.session.step(ticks)
+    for _second in range(0, ticks, 1000):
+        touch.session.step(min(1000, ticks))
     live.recording = live.touch = None
     touch.session.stop()
     del touch.session
@@ -67,13 +68,13 @@ def test_a_take_is_on_the_disk_until_it_is_in_the_scene(terrain: bpy.types.Objec
 def test_a_take_that_was_left_is_written_as_if_nothing_had_happened(
     terrain: bpy.types.Object, spools: Path
 ) -> None:
-    touch = start(circles())
+    touch = start(sweep(0.9))
     bpy.context.scene.frame_set(20)
     bpy.ops.haptic_terrain.record_start()
     touch.session.step(1000)
     keys = keys_of(module("record.recording").stop_recording(bpy.context).take)
     bpy.ops.haptic_terrain.touch_stop()
-    crash(start(circles(), terrain=terrain))
+    crash(start(sweep(0.9), terrain=terrain))
     bpy.context.scene.frame_set(1)
     recovered = recover()
     assert keys_of(recovered.written.take) == keys
@@ -139,12 +140,21 @@ def test_a_take_of_another_terrain_is_refused_and_names_both(
 def test_a_file_cut_short_is_recovered_as_far_as_it_is_whole(
     terrain: bpy.types.Object, spools: Path, capfd: pytest.CaptureFixture[str]
 ) -> None:
-    crash(start(circles()), 2500)
+    crash(start(circles()), 3000)
     (spool,) = spools.iterdir()
     os.truncate(spool, spool.stat().st_size - 100)
     assert bpy.ops.haptic_terrain.recover_take() == {"FINISHED"}
     assert "Not all of the take was left: the file was cut short" in capfd.readouterr().out
     assert len(keys_of(bpy.data.objects["Touch Take"])[0]) > 20
+
+
+def test_a_file_of_which_nothing_is_whole_stays_and_is_told(terrain: bpy.types.Object, spools: Path) -> None:
+    crash(start(circles()))
+    (spool,) = spools.iterdir()
+    os.truncate(spool, spool.stat().st_size - 100)
+    with pytest.raises(RuntimeError, match=r"\.touch: the file was cut short"):
+        recover()
+    assert list(spools.iterdir()) == [spool]
 
 
 def test_what_is_no_take_stays_and_is_named(terrain: bpy.types.Object, spools: Path) -> None:
@@ -194,14 +204,17 @@ def test_where_the_disk_cannot_be_used_the_take_is_in_memory_and_that_is_said(
     assert module("record.recording").stop_recording(bpy.context).seconds == pytest.approx(0.999)
 
 
+@pytest.mark.parametrize("has_ended", [False, True])
 def test_a_take_whose_file_was_loaded_away_is_recovered_in_its_file(
-    terrain: bpy.types.Object, spools: Path, tmp_path: Path
+    terrain: bpy.types.Object, spools: Path, tmp_path: Path, has_ended: bool
 ) -> None:
     blend = str(tmp_path / "terrain.blend")
     bpy.ops.wm.save_as_mainfile(filepath=blend)
     touch = start(circles())
     bpy.ops.haptic_terrain.record_start()
     touch.session.step(1000)
+    if has_ended:
+        bpy.ops.haptic_terrain.touch_stop()
     bpy.ops.wm.open_mainfile(filepath=blend)
     assert "Recover Last Take" in module("touch.live").live.message
     assert recover().written.seconds == pytest.approx(0.999)

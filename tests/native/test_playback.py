@@ -70,7 +70,7 @@ def test_a_take_is_played_live_to_its_end() -> None:
 
 def test_buttons_are_pressed_again() -> None:
     columns = [[0.0, 0.05, 0.1], [0.0] * 3, [0.0] * 3, [0.03] * 3]
-    device = PlaybackDevice(*columns, buttons=[0, 1, 0], twist=[math.nan] * 3)
+    device = PlaybackDevice(*columns, buttons=[0, 1, 0], twist=[0.5] * 3)
     session = touch(hills(), device, modes=True)
     take = recorded(session, 100)
     assert take.column("buttons").tolist() == [0.0] * 50 + [1.0] * 50

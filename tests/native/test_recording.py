@@ -51,7 +51,7 @@ def test_a_take_has_the_columns_of_drained_ticks() -> None:
     assert set(take.columns) < set(Ticks.columns)
     for name in take.columns:
         in_take, in_ticks = take.column(name).tolist(), ticks.column(name).tolist()
-        assert in_take == pytest.approx(in_ticks, nan_ok=True, rel=1e-6), name
+        assert in_take == pytest.approx(in_ticks, rel=1e-6), name
         if not name.startswith("normal"):  # floats of 32 bits
             assert take.column(name).tobytes() == ticks.column(name).tobytes(), name
     assert {1.0} < set(take.column("feature").tolist())
@@ -66,7 +66,7 @@ def test_normals_are_unit_vectors_in_contact_and_zero_in_free_space() -> None:
 
 
 def test_the_normal_is_where_the_force_points_without_friction() -> None:
-    take = recorded(touch(hills(), pressing()), 500)
+    take = recorded(touch(hills(), pressing(0.03)), 500)
     force = [take.column(f"force_{axis}")[499] for axis in "xyz"]
     newtons = math.hypot(*force)
     assert newtons > 0.1
@@ -86,7 +86,7 @@ def test_buttons_and_twist_are_kept_and_a_key_is_the_stylus_button() -> None:
     assert take.column("buttons").tolist() == [0.0] * 99 + [2.0] * 101 + [3.0]
     assert set(take.column("twist").tolist()) == {0.5}
     plain = recorded(touch(flat(), pressing()), 1)
-    assert math.isnan(plain.column("twist")[0])
+    assert plain.column("twist").tolist() == [0.0]
 
 
 def test_ten_minutes_at_full_speed_lose_nothing() -> None:

@@ -162,12 +162,10 @@ impl PlaybackDevice {
                 );
                 return Err(value_error(words));
             }
-            // NaN is what a column has where the handle does not tell.
-            let twist = twist.as_ref().map(|twist| twist.0[index]).filter(|turn| !turn.is_nan());
             hand.push(HandMoment {
                 time: times.0[index],
                 position: [hand_x.0[index], hand_y.0[index], hand_z.0[index]],
-                twist,
+                twist: twist.as_ref().map(|twist| twist.0[index]),
                 buttons: pressed as u32,
             });
         }

@@ -47,7 +47,7 @@ pub fn os_error(error: std::io::Error, path: Option<&Path>) -> PyErr {
     match (error.raw_os_error(), path) {
         // Windows counts its errors otherwise.
         (Some(number), Some(path)) if cfg!(unix) => {
-            PyOSError::new_err((number, plain_text(&error), path.to_owned()))
+            PyOSError::new_err((number, plain_text(&error), path.as_os_str().to_owned()))
         }
         (Some(number), None) if cfg!(unix) => PyOSError::new_err((number, plain_text(&error))),
         _ => error.into(),

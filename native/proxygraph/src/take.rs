@@ -88,6 +88,10 @@ impl Take {
         Self { take, finished, lost, spool: Mutex::new(spool), spool_failure: None }
     }
 
+    fn take_spool(&self) -> Option<Spool> {
+        self.spool.lock().unwrap_or_else(|poisoned| poisoned.into_inner()).take()
+    }
+
     pub fn native(&self) -> &takes::Take {
         &self.take
     }
@@ -158,9 +162,12 @@ impl Take {
         written.map_err(|error| write_refusal(error, &path))
     }
 
+    fn release_spool(&self) {
+        drop(self.take_spool());
+    }
+
     fn discard_spool(&self) -> PyResult<()> {
-        let spool = self.spool.lock().unwrap_or_else(|poisoned| poisoned.into_inner()).take();
-        let Some(spool) = spool else { return Ok(()) };
+        let Some(spool) = self.take_spool() else { return Ok(()) };
         let path = spool.path().to_owned();
         spool.remove().map_err(|error| os_error(error, Some(&path)))
     }

@@ -41,7 +41,7 @@ const COLUMNS: [Column; 31] = [
     ("normal_y", |tick| tick.normal[1]),
     ("normal_z", |tick| tick.normal[2]),
     ("buttons", |tick| f64::from(tick.buttons)),
-    ("twist", |tick| tick.twist.unwrap_or(f64::NAN)),
+    ("twist", |tick| tick.twist.unwrap_or(0.0)),
 ];
 
 /// Every tick since the last drain.

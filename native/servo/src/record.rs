@@ -82,7 +82,7 @@ impl From<&TickRecord> for Tick {
             goal: record.goal,
             proxy: record.proxy,
             force: record.force,
-            twist: record.twist.unwrap_or(f64::NAN),
+            twist: record.twist.unwrap_or(0.0),
             window: [
                 window.east(),
                 window.north(),

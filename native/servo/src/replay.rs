@@ -50,7 +50,7 @@ fn moment(tick: &Tick, window: &Window, width: f64) -> HandMoment {
     HandMoment {
         time: tick.time,
         position: if is_same { tick.hand } else { led },
-        twist: (!tick.twist.is_nan()).then_some(tick.twist),
+        twist: Some(tick.twist),
         buttons: tick.buttons,
     }
 }

@@ -39,7 +39,7 @@
 //! | 24 | the goal, terrain metres east, north, up |
 //! | 24 | the proxy, terrain metres east, north, up |
 //! | 24 | the force, newtons, workspace frame |
-//! | 8 | turn of the handle, radians; NaN where the device does not tell |
+//! | 8 | turn of the handle, radians; 0 where the device does not tell |
 //! | 48 | the window: east, north, up, width (metres), exaggeration, turn (radians) |
 //! | 12 | the normal (floats), workspace frame; zero in free space |
 //! | 4 | buttons, a bit each |

@@ -24,7 +24,7 @@ pub struct Tick {
     pub proxy: [f64; 3],
     /// Newtons, workspace frame, as sent to the device.
     pub force: [f64; 3],
-    /// Radians about the vertical; NaN where the device does not tell.
+    /// Radians about the vertical; 0 where the device does not tell.
     pub twist: f64,
     /// East, north, up, width, exaggeration and turn.
     pub window: [f64; 6],
