@@ -16,6 +16,9 @@ use takes::{Header, Spool, TICK_BYTES, Tick};
 /// Longer is a hang: these files have some kilobytes.
 const LONGEST: Duration = Duration::from_secs(2);
 
+/// Files that are damaged again and again.
+const WHOLE: usize = 100;
+
 /// Before the text of a header, and before the ticks of a block.
 const HEADER: usize = 52;
 const BLOCK: usize = 24;
@@ -37,8 +40,10 @@ fn main() {
     let ending = Instant::now() + Duration::from_secs(seconds);
     let mut tally = Tally::default();
     let mut chance = Chance(seed);
+    // The disk is waited for in each of them.
+    let files: Vec<_> = (0..WHOLE).map(|_| whole(&folder.join("whole"), &mut chance)).collect();
     while Instant::now() < ending {
-        let mut bytes = whole(&folder.join("whole"), &mut chance);
+        let mut bytes = files[chance.below(WHOLE)].clone();
         for _ in 0..chance.below(4) {
             damage(&mut bytes, &mut chance);
         }
