@@ -6,6 +6,7 @@ import logging
 from dataclasses import dataclass
 
 import bpy
+from proxygraph import SessionError
 
 from ..terrain.kept import KeptError, recall
 from ..terrain.progress import progress
@@ -120,17 +121,24 @@ def write_take(
 
 
 def _record(touch: Touch, about: str) -> str:
-    """Begin, and say why the take is in memory only; an empty text where it is on the disk too."""
-    refused = ""
-    if live.spool_folder is not None:
-        try:
-            touch.session.start_recording(about, spool=new_spool(live.spool_folder))
-        except OSError as error:
-            refused = f"{live.spool_folder} cannot be written to ({error.strerror or error})"
-        else:
-            return ""
-    touch.session.start_recording(about)
-    return refused or "the extension has no folder"
+    """Begin, and say why the take is in memory only; an empty text where it is on the disk too.
+
+    Raises:
+        RecordingError: the session does not record.
+    """
+    refused = "the extension has no folder"
+    try:
+        if live.spool_folder is not None:
+            try:
+                touch.session.start_recording(about, spool=new_spool(live.spool_folder))
+            except OSError as error:
+                refused = f"{live.spool_folder} cannot be written to ({error.strerror or error})"
+            else:
+                return ""
+        touch.session.start_recording(about)
+    except SessionError as error:
+        raise RecordingError(f"Recording cannot start: {error}.") from error
+    return refused
 
 
 def _discard(recording: Recording) -> None:

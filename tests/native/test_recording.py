@@ -243,3 +243,22 @@ def test_a_live_take_is_whole_whoever_looks(tmp_path: Path) -> None:
     assert ticks == [ticks[0] + number for number in range(len(ticks))]
     assert take.dropped == 0
     assert bits(read_take(tmp_path / "take.touch")) == bits(take)
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="no fork")
+@pytest.mark.filterwarnings("ignore::DeprecationWarning")
+def test_a_fork_leaves_the_take_to_its_parent(tmp_path: Path) -> None:
+    session = touch(flat(), pressing())
+    session.start_recording(spool=tmp_path / "take.touch")
+    session.start()
+    wait_until(lambda: session.recording is not None and session.recording.spooled > 0)
+    child = os.fork()
+    if child == 0:
+        session.stop()
+        os._exit(0)
+    assert os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]) == 0
+    take = session.stop_recording()
+    session.stop()
+    assert bits(read_take(tmp_path / "take.touch")) == bits(take)
+    with pytest.raises(TakeInUseError):
+        claim_take(tmp_path / "take.touch")

@@ -10,6 +10,7 @@
 //! the ticks' only while ticks are moved. Whoever wants both takes the spool's first.
 
 use std::collections::VecDeque;
+use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard};
 
@@ -160,35 +161,35 @@ impl Collector {
     /// Ends the take, whose last tick is `done`, and finishes its spool; `None` where there is none.
     pub(crate) fn end(&self, done: u64) -> Option<Recorded> {
         let mut spool = self.spool();
-        self.collected().collect();
-        if let Some(recording) = &mut self.collected().recording {
-            recording.take.miss_until(done + 1);
-        }
-        self.write(&mut spool, 1);
         let mut collected = self.collected();
-        let InTheMaking { take, mut failure, .. } = collected.recording.take()?;
+        collected.collect();
+        let InTheMaking { mut take, mut failure, .. } = collected.recording.take()?;
         collected.forget_old();
+        // The disk is waited for without them.
+        drop(collected);
+        take.miss_until(done + 1);
         let mut spool = spool.take();
         if let Some(spool) = spool.as_mut().filter(|_| failure.is_none()) {
-            failure = spool.finish(take.dropped).err().map(|error| error.to_string());
+            failure = finish(spool, &take).err().map(|error| error.to_string());
         }
         Some(Recorded { take, spool, failure })
     }
 
     /// Writes to the disk what it has not got yet.
     pub(crate) fn spool_all(&self) {
-        self.write(&mut self.spool(), 1);
+        self.spool_ticks(1);
     }
 
     /// The same between steps, a block at a time.
     pub(crate) fn spool_steps(&self) {
-        self.write(&mut self.spool(), STEPS_IN_BLOCK);
+        self.spool_ticks(STEPS_IN_BLOCK);
     }
 
     /// Writes while there are at least so many ticks to write, and until the disk fails: then the file
     /// stays as it is, and memory goes on.
-    fn write(&self, spool: &mut Option<Spool>, least: usize) {
-        let Some(spool) = spool else { return };
+    fn spool_ticks(&self, least: usize) {
+        let mut spool = self.spool();
+        let Some(spool) = &mut *spool else { return };
         while let Some((ticks, dropped)) = self.unwritten(least) {
             let written = spool.write(&ticks, dropped).and_then(|()| spool.sync_in_time());
             if let Some(recording) = &mut self.collected().recording {
@@ -218,6 +219,17 @@ impl Collector {
 
     fn collected(&self) -> MutexGuard<'_, Collected> {
         self.collected.lock().unwrap_or_else(|poisoned| poisoned.into_inner())
+    }
+}
+
+/// Writes what is missing, and marks the file as whole.
+fn finish(spool: &mut Spool, take: &Take) -> io::Result<()> {
+    loop {
+        let ticks = take.ticks.part(spool.ticks() as usize, MOST_IN_BLOCK);
+        if ticks.is_empty() {
+            return spool.finish(take.dropped);
+        }
+        spool.write(&ticks, take.dropped)?;
     }
 }
 

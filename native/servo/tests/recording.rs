@@ -195,6 +195,23 @@ fn a_live_take_is_collected_and_spooled_while_nobody_looks() {
 }
 
 #[test]
+fn a_live_take_and_its_file_are_the_same_whenever_it_ends() {
+    let mut session = live(60.0);
+    session.set_pre_roll(0.01).unwrap();
+    session.start().unwrap();
+    for round in 0..30 {
+        let scratch = Scratch::new();
+        session.start_recording(String::new(), Some(&scratch.0)).unwrap();
+        std::thread::sleep(std::time::Duration::from_millis(3 * round));
+        let recorded = session.stop_recording().unwrap();
+        let saved = takes::read(&scratch.0).unwrap();
+        assert!(saved.finished && saved.lost.is_none() && recorded.failure.is_none());
+        assert!(saved.take.ticks.iter().eq(recorded.take.ticks.iter()));
+        assert_eq!(saved.take.dropped, recorded.take.dropped);
+    }
+}
+
+#[test]
 fn a_live_pre_roll_is_kept_while_nobody_looks() {
     let mut session = live(0.5);
     session.set_pre_roll(0.2).unwrap();
