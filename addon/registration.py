@@ -44,6 +44,7 @@ CLASSES: tuple[type, ...] = (
     bake_operators.HAPTIC_TERRAIN_OT_leave_ground,
     take_operators.HAPTIC_TERRAIN_OT_export_take,
     take_operators.HAPTIC_TERRAIN_OT_import_take,
+    record_operators.HAPTIC_TERRAIN_OT_recover_take,
     place_operators.HAPTIC_TERRAIN_OT_go_to,
     place_operators.HAPTIC_TERRAIN_OT_show_curvature,
     place_operators.HAPTIC_TERRAIN_OT_colour_by,
@@ -73,6 +74,7 @@ def register() -> None:
     bpy.types.TOPBAR_MT_file_export.append(take_operators.draw_export)  # type: ignore[arg-type]
     # Extensions write nowhere else.
     cache.folder = Path(bpy.utils.extension_path_user(__package__, path="cache"))
+    live.spool_folder = Path(bpy.utils.extension_path_user(__package__, path="takes"))
     saving.register()
     timer.register()
     keymap.register()
@@ -84,6 +86,7 @@ def unregister() -> None:
     if live.recording is not None:
         stop_playing(bpy.context, live.recording)
     timer.unregister()
+    live.spool_folder = None
     saving.unregister()
     bpy.types.TOPBAR_MT_file_export.remove(take_operators.draw_export)  # type: ignore[arg-type]
     bpy.types.TOPBAR_MT_file_import.remove(take_operators.draw_import)  # type: ignore[arg-type]

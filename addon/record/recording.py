@@ -1,25 +1,32 @@
-"""Starting and stopping a take. Curves are written once, when it stops."""
+"""Starting and stopping a take: written to the scene once, when it stops, and on the disk until then."""
 
 from __future__ import annotations
 
+import logging
 from dataclasses import replace
 
 import bpy
+from proxygraph import SessionError
 
 from ..terrain.kept import KeptError, recall
 from ..terrain.progress import progress
 from ..terrain.undone import undone_on_failure
-from ..touch.live import Recording, live
+from ..touch.live import Recording, Touch, live
 from ..touch.placement import Placement
 from ..touch.recorder import Recorder
-from ..touch.stop import collect_ticks
+from ..touch.stop import note_model
 from .chosen_options import chosen_options
 from .ground import Ground
 from .playing import start_playing, stop_playing
+from .pre_roll_frames import first_frame
+from .spool_text import spool_text
+from .spools import new_spool
 from .take_data import TakeAbout, TakeData
 from .take_options import DEFAULT_TRAILS
-from .terrain_about import grid_of
+from .terrain_about import grid_of, terrain_about
 from .write_take import Take, write_take
+
+log = logging.getLogger(__name__)
 
 
 class RecordingError(RuntimeError):
@@ -44,18 +51,18 @@ def start_recording(context: bpy.types.Context) -> None:
     if scene is None:
         raise RecordingError("The scene in which touch was started is gone: start it again.")
     try:
-        kept = recall(terrain)
+        about = terrain_about(terrain, recall(terrain))
     except KeptError as error:
         raise RecordingError(str(error)) from error
-    collect_ticks(touch)
+    about = replace(about, workspace_width=touch.workspace[0], models=(touch.session.model,))
     recording = Recording(
         touch=touch,
-        recorder=Recorder(),
+        recorder=Recorder(touch.session),
         placement=Placement.of(terrain, touch.frame),
         start_frame=scene.frame_current,
-        source=kept.grid.data_path.name,
-        digest=kept.stamp.digest if kept.stamp is not None else "",
-        dropped_before=touch.session.statistics().dropped,
+        source=about.source,
+        digest=about.digest,
+        not_spooled=_record(touch, spool_text(about, scene.frame_current)),
     )
     if scene.haptic_terrain.play_timeline:
         recording.played = start_playing(context, scene)
@@ -63,7 +70,7 @@ def start_recording(context: bpy.types.Context) -> None:
 
 
 def stop_recording(context: bpy.types.Context, *, trail: bool | None = None) -> Take:
-    """Write the take as the scene's settings say. While that fails, the recording stays as it is.
+    """Write the take as the scene's settings say. While that fails, the recording waits as it is.
 
     Args:
         trail: whether to draw trails; ``None`` leaves that to the settings.
@@ -72,24 +79,26 @@ def stop_recording(context: bpy.types.Context, *, trail: bool | None = None) -> 
         RecordingError: no take is being recorded, or nothing was felt.
     """
     if live.touch is not None:
-        collect_ticks(live.touch)
+        note_model(live.touch)
     recording = live.recording
     if recording is None:
         raise RecordingError("No take is being recorded.")
+    played = recording.played is not None
     stop_playing(context, recording)
-    if not len(recording.recorder):
-        live.recording = None
+    felt = recording.recorder.end()
+    if not len(felt):
+        _forget(recording)
         raise RecordingError("The take is empty: nothing was written.")
     scene = recording.touch.scene.find() or context.scene
     if scene is None:
         raise RecordingError("The scene in which the take was recorded is gone, and no other one is open.")
-    options = chosen_options(scene, recording.start_frame)
+    options = chosen_options(scene, first_frame(felt, recording.start_frame, scene, played=played))
     if trail is not None:
         options = replace(options, trails=(options.trails or DEFAULT_TRAILS) if trail else frozenset())
     ground = Ground(recording.touch.grid, recording.touch.surface)
     with progress(context) as tell, undone_on_failure():
         take = write_take(scene, take_data(recording), _placement(recording), ground, options, tell)
-    live.recording = None
+    _forget(recording)
     return take
 
 
@@ -99,15 +108,17 @@ def discard_recording(context: bpy.types.Context) -> None:
     Raises:
         RecordingError: no take is being recorded.
     """
-    if live.recording is None:
+    recording = live.recording
+    if recording is None:
         raise RecordingError("No take is being recorded.")
-    stop_playing(context, live.recording)
-    live.recording = None
+    stop_playing(context, recording)
+    recording.recorder.end()
+    _forget(recording)
 
 
 def take_data(recording: Recording) -> TakeData:
     """What was recorded so far, in the form that all writers take."""
-    touch = recording.touch
+    touch, recorder = recording.touch, recording.recorder
     about = TakeAbout(
         terrain=touch.terrain.name,
         source=recording.source,
@@ -115,10 +126,40 @@ def take_data(recording: Recording) -> TakeData:
         georeference=touch.georeference,
         workspace_width=touch.workspace[0],
         models=tuple(recording.models),
-        lost_ticks=recording.dropped,
+        lost_ticks=recorder.dropped,
         **grid_of(touch.grid.layout),
     )
-    return TakeData.of(recording.recorder.columns, about)
+    return TakeData.of(recorder.columns, about)
+
+
+def _record(touch: Touch, about: str) -> str:
+    """Begin, and say why the take is in memory only; an empty text where it is on the disk too.
+
+    Raises:
+        RecordingError: the session does not record.
+    """
+    refused = "the extension has no folder"
+    try:
+        if live.spool_folder is not None:
+            try:
+                touch.session.start_recording(about, spool=new_spool(live.spool_folder))
+            except OSError as error:
+                refused = f"{live.spool_folder} cannot be written to ({error.strerror or error})"
+            else:
+                return ""
+        touch.session.start_recording(about)
+    except SessionError as error:
+        raise RecordingError(f"Recording cannot start: {error}.") from error
+    return refused
+
+
+def _forget(recording: Recording) -> None:
+    """Remove the file of a take that has ended; one that stays is offered again, which loses nothing."""
+    live.recording = None
+    try:
+        recording.recorder.end().discard_spool()
+    except OSError as error:
+        log.warning("a take's file stays: %s", error)
 
 
 def _placement(recording: Recording) -> Placement:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Literal
 
 import bpy
@@ -98,6 +99,8 @@ class Touch:
     """Of the simulated handle, radians counter-clockwise."""
     passivity_control: bool = False
     """What the session was told last."""
+    pre_roll: float = 0.0
+    """The same, seconds."""
     readout: Readout | None = None
 
 
@@ -123,14 +126,12 @@ class Recording:
     """Name of the file with the terrain's samples."""
     digest: str
     """Of that file, as ``SourceStamp`` has it; empty where it is not known."""
-    dropped_before: int
-    """Ticks that the session had lost when the take began."""
-    dropped: int = 0
-    """Ticks that the take lost."""
     models: list[str] = field(default_factory=list)
     """Contact models that answered, in their order."""
     played: Played | None = None
     """What to put back when the take ends; ``None`` where the timeline does not play along."""
+    not_spooled: str = ""
+    """Why the take is in memory only from the beginning; empty where it is not."""
 
 
 @dataclass
@@ -143,6 +144,8 @@ class Live:
     """Why touch ended by itself, or does not do what was chosen; empty where all is well."""
     rendering: bool = False
     """Nothing is written to the scene while it is rendered."""
+    spool_folder: Path | None = None
+    """Where takes are until they are written to the scene; ``None`` while the extension is off."""
     opened: OpenedGrids = field(default_factory=OpenedGrids)
     """What was decoded for an import, so that touch need not do it again; until another file is loaded."""
 

@@ -8,6 +8,7 @@ import bpy
 from proxygraph import (
     STALE_AFTER,
     Grid,
+    PlaybackDevice,
     ScriptedDevice,
     Session,
     SessionError,
@@ -32,7 +33,7 @@ from .tick import UNUSABLE, tick
 from .timer import start_timer
 from .workspace import BETWEEN_WALLS, to_workspace, whole_map
 
-Device = ScriptedDevice | SimulatedDevice
+Device = ScriptedDevice | SimulatedDevice | PlaybackDevice
 
 
 def start_touch(
@@ -49,7 +50,8 @@ def start_touch(
     Args:
         terrain: the terrain object; the chosen one where it is left out.
         device: the hand; a simulated one that follows the Empty "Touch Target" where it is left out.
-        window: where the device's workspace lies; from the scene's settings where it is left out.
+        window: where the device's workspace lies; where it is left out, as the take lay that is played, or
+            from the scene's settings.
         modes: whether the stylus button changes the mode, and walls keep the hand in the workspace; left out,
             for every device that a person holds: a script's hand goes where the script wants.
         on_the_clock: run at 1 kHz; otherwise ticks are done by ``session.step``, for tests and scripts.
@@ -63,7 +65,7 @@ def start_touch(
     terrain = terrain or chosen_terrain(context)
     with undone_on_failure():
         try:
-            has_modes = not isinstance(device, ScriptedDevice) if modes is None else modes
+            has_modes = not isinstance(device, ScriptedDevice | PlaybackDevice) if modes is None else modes
             touch = _touch(context, terrain, device, window, has_modes=has_modes)
             if on_the_clock:
                 touch.session.start()
@@ -106,6 +108,8 @@ def _touch(
     if not placement.is_usable:
         raise ValueError(UNUSABLE)
     workspace = (device or SimulatedDevice()).workspace
+    if isinstance(device, PlaybackDevice):
+        window = window or device.window
     window = window or _window(scene, placement, grid, kept, workspace, has_walls=has_modes)
     target = None
     if device is None:

@@ -22,7 +22,7 @@ def stop_touch(message: str = "") -> None:
     if touch is None:
         return
     touch.session.stop()
-    collect_ticks(touch)
+    note_model(touch)
     live.touch = None
     if message:
         live.message = message
@@ -30,12 +30,10 @@ def stop_touch(message: str = "") -> None:
     redraw(bpy.context)
 
 
-def collect_ticks(touch: Touch) -> None:
-    """Empty the session's ring: into the take while there is one, else to keep the ring from overflowing."""
-    ticks = touch.session.drain()
+def note_model(touch: Touch) -> None:
+    """Let the take know which contact model answers."""
     recording = live.recording
-    if recording is not None and recording.touch is touch:
-        recording.recorder.add(ticks)
-        if touch.session.model not in recording.models[-1:]:
-            recording.models.append(touch.session.model)
-        recording.dropped = touch.session.statistics().dropped - recording.dropped_before
+    if recording is None or recording.touch is not touch:
+        return
+    if touch.session.model not in recording.models[-1:]:
+        recording.models.append(touch.session.model)

@@ -22,7 +22,8 @@ from .follow_view import follow_view
 from .live import Readout, Touch, live
 from .model import keep_model
 from .placement import Placement
-from .stop import collect_ticks, stop_touch
+from .pre_roll import keep_pre_roll
+from .stop import note_model, stop_touch
 from .windows import stretched
 
 UNUSABLE = "the terrain's location, rotation or scale cannot be used; give it a scale that is not 0."
@@ -33,7 +34,7 @@ def tick() -> None:
     touch = live.touch
     if touch is None:
         return
-    collect_ticks(touch)
+    note_model(touch)
     fault = touch.session.fault
     if fault is not None:
         stop_touch(f"Touch stopped: {fault}")
@@ -51,6 +52,7 @@ def tick() -> None:
     # The setting calls this at once; undo changes settings without telling them.
     keep_model(touch, scene)
     keep_control(touch, scene)
+    keep_pre_roll(touch, scene)
     # As many commands may wait as the servo takes at a time: the next tick tells it the same, or better.
     state = touch.session.state()
     with suppress(SessionError):

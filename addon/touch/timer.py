@@ -9,7 +9,7 @@ from typing import Any
 import bpy
 from bpy.app.handlers import persistent
 
-from .live import live
+from .live import Recording, live
 from .stop import stop_touch
 from .tick import tick
 
@@ -67,8 +67,20 @@ def _before_load(*_arguments: object) -> None:
         live.message = ""  # it was about the file before
     live.opened.clear()
     recording, live.recording = live.recording, None
-    lost = f" The take of {recording.recorder.seconds:.1f} s was not kept." if recording is not None else ""
-    stop_touch(f"Touch stopped: another file was loaded.{lost}")
+    left = _left_behind(recording)
+    if live.touch is None and left:
+        live.message = left
+    stop_touch(f"Touch stopped: another file was loaded. {left}".rstrip())
+
+
+def _left_behind(recording: Recording | None) -> str:
+    """End a take that cannot be written any more, and tell what becomes of it."""
+    if recording is None:
+        return ""
+    take = recording.recorder.end()
+    if recording.not_spooled or take.spool_failure is not None:
+        return f"The take of {take.seconds:.1f} s was not kept."
+    return f"The take of {take.seconds:.1f} s is on the disk: Recover Last Take writes it to its terrain."
 
 
 @persistent  # type: ignore[untyped-decorator]

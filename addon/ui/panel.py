@@ -7,13 +7,17 @@ import math
 import bpy
 
 from ..terrain.kept import KeptError, recall
-from ..touch.live import Readout, live
+from ..touch.live import Readout, Recording, live
 from ..touch.model import SPHERE, WALK
 from ..touch.placement import Placement
 from .chosen import shown_terrain
 from .import_operator import TITLE, HAPTIC_TERRAIN_OT_import_grid
 from .place_words import place_lines
-from .record_operators import HAPTIC_TERRAIN_OT_record_start, HAPTIC_TERRAIN_OT_record_stop
+from .record_operators import (
+    HAPTIC_TERRAIN_OT_record_start,
+    HAPTIC_TERRAIN_OT_record_stop,
+    HAPTIC_TERRAIN_OT_recover_take,
+)
 from .sidebar import TAB, draw_lines, draw_message, draw_text
 from .stylus_buttons import draw_stylus
 from .touch_operators import HAPTIC_TERRAIN_OT_touch_start, HAPTIC_TERRAIN_OT_touch_stop
@@ -24,6 +28,7 @@ HELD = {
     "speed": "Hand was too fast",
     "device": "Device failed",
     "not_finite": "Not a number",
+    "finished": "Playback has ended",
     "below": "Hand is under the ground",
 }
 """Why the force is away, short enough for a line; the panel *Safety* has the sentences."""
@@ -135,11 +140,22 @@ class HAPTIC_TERRAIN_PT_record(bpy.types.Panel):
         settings = context.scene.haptic_terrain
         layout.prop(settings, "trail")
         if live.recording is None:
+            layout.prop(settings, "pre_roll", text="Keep Before in s")
             layout.operator(HAPTIC_TERRAIN_OT_record_start.bl_idname, icon="REC")
+            layout.operator(HAPTIC_TERRAIN_OT_recover_take.bl_idname, icon="FILE_REFRESH")
             return
         layout.label(text=f"{live.recording.recorder.seconds:.1f} s")
+        trouble = spool_trouble(live.recording)
+        if trouble:
+            draw_message(layout, trouble)
         stop = layout.operator(HAPTIC_TERRAIN_OT_record_stop.bl_idname, icon="SNAP_FACE")
         stop.trail = settings.trail
+
+
+def spool_trouble(recording: Recording) -> str:
+    """Say why a take is in memory only; empty where it is not."""
+    reason = recording.not_spooled or recording.recorder.spool_failure
+    return f"The take is in memory only, and a crash would lose it: {reason}" if reason else ""
 
 
 def readout_lines(readout: Readout, exaggeration: float, *, in_degrees: bool) -> list[tuple[str, str]]:

@@ -7,6 +7,8 @@ import bpy
 from ..record.about_properties import OtherTerrainError
 from ..record.kept_take import KeptTakeError
 from ..record.recording import RecordingError, discard_recording, start_recording, stop_recording
+from ..record.recover import recover_take
+from ..record.write_take import Take
 from ..touch.live import RENDERING, live
 from .operator_status import OperatorStatus
 
@@ -33,6 +35,8 @@ class HAPTIC_TERRAIN_OT_record_start(bpy.types.Operator):
         except RecordingError as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
+        if live.recording is not None and live.recording.not_spooled:
+            self.report({"WARNING"}, f"The take is in memory only: {live.recording.not_spooled}")
         return {"FINISHED"}
 
 
@@ -69,20 +73,7 @@ class HAPTIC_TERRAIN_OT_record_stop(bpy.types.Operator):
         except (KeptTakeError, OtherTerrainError) as error:
             self.report({"ERROR"}, f"{error} The take waits: choose New Take in Write To, and stop again.")
             return {"CANCELLED"}
-        self.report(
-            {"INFO"}, f"{take.take.name}: {take.seconds:.1f} s, {take.keyframes:,} keys on each curve"
-        )
-        if take.dropped:
-            self.report(
-                {"WARNING"},
-                f"{take.dropped:,} ticks were lost while Blender was busy: the take holds still there",
-            )
-        if take.cut_seconds:
-            self.report(
-                {"WARNING"},
-                f"The last {take.cut_seconds:.1f} s lie beyond Blender's last frame and have no keys: "
-                "start from an earlier frame",
-            )
+        report_take(self, take)
         return {"FINISHED"}
 
 
@@ -107,3 +98,50 @@ class HAPTIC_TERRAIN_OT_record_discard(bpy.types.Operator):
         """Forget it."""
         discard_recording(context)
         return {"FINISHED"}
+
+
+class HAPTIC_TERRAIN_OT_recover_take(bpy.types.Operator):
+    """Write the newest take that was left when Blender ended in mid-recording, or could not be written"""
+
+    bl_idname = "haptic_terrain.recover_take"
+    bl_label = "Recover Last Take"
+    bl_options = {"UNDO"}  # noqa: RUF012
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        """Not while a take is being recorded, or a picture rendered."""
+        if live.recording is not None:
+            cls.poll_message_set("A take is being recorded: stop it first")
+        elif live.rendering:
+            cls.poll_message_set(RENDERING)
+        return live.recording is None and not live.rendering
+
+    def execute(self, context: bpy.types.Context) -> OperatorStatus:
+        """Write it to its terrain."""
+        try:
+            recovered = recover_take(context)
+        except RecordingError as error:
+            self.report({"WARNING"}, str(error))
+            return {"CANCELLED"}
+        report_take(self, recovered.written)
+        if recovered.lost is not None:
+            self.report({"WARNING"}, f"Not all of the take was left: {recovered.lost}")
+        return {"FINISHED"}
+
+
+def report_take(operator: bpy.types.Operator, take: Take) -> None:
+    """Tell what was written, and what is missing in it."""
+    operator.report(
+        {"INFO"}, f"{take.take.name}: {take.seconds:.1f} s, {take.keyframes:,} keys on each curve"
+    )
+    if take.dropped:
+        operator.report(
+            {"WARNING"},
+            f"{take.dropped:,} ticks were lost while the computer was busy: the take holds still there",
+        )
+    if take.cut_seconds:
+        operator.report(
+            {"WARNING"},
+            f"The last {take.cut_seconds:.1f} s lie beyond Blender's last frame and have no keys: "
+            "start from an earlier frame",
+        )

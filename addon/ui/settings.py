@@ -10,6 +10,7 @@ from ..record.take_options import BOUND_MM
 from ..touch.control import keep_control
 from ..touch.live import live
 from ..touch.model import keep_model
+from ..touch.pre_roll import keep_pre_roll
 
 
 def _switch(settings: HapticTerrainSettings, _context: bpy.types.Context) -> None:
@@ -18,6 +19,7 @@ def _switch(settings: HapticTerrainSettings, _context: bpy.types.Context) -> Non
     if live.touch is not None and touched is not None and touched == settings.id_data:
         keep_model(live.touch, touched)
         keep_control(live.touch, touched)
+        keep_pre_roll(live.touch, touched)
 
 
 class HapticTerrainSettings(bpy.types.PropertyGroup):
@@ -81,6 +83,17 @@ class HapticTerrainSettings(bpy.types.PropertyGroup):
         name="View Follows",
         description="The 3D views go along while the hand pans, zooms or turns",
         default=True,
+    )
+    pre_roll: bpy.props.FloatProperty(
+        name="Keep Before",
+        description="Seconds before Start Recording that a take begins with; 0 keeps none",
+        default=0.0,
+        min=0.0,
+        soft_max=60.0,
+        max=3600.0,
+        step=100,
+        precision=0,
+        update=_switch,
     )
     trail: bpy.props.BoolProperty(
         name="Trail",

@@ -11,6 +11,7 @@ Frames and units (see each class):
 
 import os
 from collections.abc import Buffer, Sequence
+from pathlib import Path
 from typing import Literal, final
 
 __version__: str
@@ -29,10 +30,10 @@ SampleType = Literal["i16", "u16", "i32", "f32", "f64"]
 ByteOrder = Literal["big", "little"]
 Feature = Literal["free", "face", "edge", "vertex"]
 Mode = Literal["normal", "pan", "zoom"]
-Held = Literal["host", "late", "speed", "device", "not_finite", "below"]
+Held = Literal["host", "late", "speed", "device", "not_finite", "finished", "below"]
 """Why there is no force, or not yet all of it: ``host``, nobody looked at the session for ``stale_after``; ``late``,
 ticks were missed; ``speed``, the hand was faster than ``max_speed``; ``device``, the device failed and was forgiven;
-``not_finite``, a position or a force was no number; ``below``, the hand is under the ground and touch begins only
+``not_finite``, a position or a force was no number; ``finished``, a ``PlaybackDevice`` has played to its end; ``below``, the hand is under the ground and touch begins only
 from above: after a start, a new window or a long pause the proxy begins at the hand."""
 Vector = tuple[float, float, float]
 
@@ -47,6 +48,12 @@ class CancelledError(Exception):
 
 class SessionError(RuntimeError):
     """A session was used in a state that does not allow the call (started twice, stepped while live)."""
+
+class TakeError(ValueError):
+    """A file cannot be read as a take; the text names it and says what was found and expected."""
+
+class TakeInUseError(TakeError):
+    """A take's file is being written, or was claimed, by a program that runs."""
 
 @final
 class Progress:
@@ -674,6 +681,66 @@ class SimulatedDevice:
     def workspace(self) -> Vector: ...
 
 @final
+class PlaybackDevice:
+    """Plays a hand that was recorded, straight and evenly between its ticks, at any speed, live or stepped.
+
+    It begins with its first tick when it is first read. Stepped at speed 1, a take that was stepped is read tick by
+    tick to the bit, so that the same contact model gives the same proxy to the bit; another one can be compared on
+    the same motion. Past the last tick the hand rests there, the force is zero, and ``State.held`` is ``finished``.
+    It takes every force and does not move by it.
+
+    A take should begin above the ground, as every touch does: where its first tick is under it, nothing is felt
+    until the hand has been above.
+
+    Args:
+        times: seconds, rising. hand_x, hand_y, hand_z: workspace metres. buttons, twist: as columns of a take have
+            them; no button is down, and no turn told, where they are left out. All are buffers of doubles, or any
+            sequences of numbers, and equally long.
+        speed: from 0.1 to 100 times as fast as the times say.
+        workspace: width, depth and height, metres.
+
+    Raises:
+        ValueError: naming what cannot be played, and where.
+    """
+
+    def __init__(
+        self,
+        times: Buffer | Sequence[float],
+        hand_x: Buffer | Sequence[float],
+        hand_y: Buffer | Sequence[float],
+        hand_z: Buffer | Sequence[float],
+        *,
+        buttons: Buffer | Sequence[float] | None = None,
+        twist: Buffer | Sequence[float] | None = None,
+        speed: float = 1.0,
+        workspace: Vector = (0.16, 0.12, 0.12),
+    ) -> None: ...
+    @staticmethod
+    def of_take(take: Take, *, speed: float = 1.0) -> PlaybackDevice:
+        """Lead the goal where it went in a take, in the window ``window``, which the session must be given.
+
+        That is the window of the take's first tick, and it stays, whatever pans and zooms were done in the take: so
+        every contact model touches the same ground. The session should have neither ``modes`` nor ``walls``. The
+        hand is the recorded one, to the bit, wherever it leads to the recorded goal through this window; elsewhere
+        the one that does. What a zoom changes is how large the hand's motion is, and with it the force; neither zoom
+        nor pan changes what is nearest on the ground. Where the window was laid elsewhere in mid-take, the hand goes
+        there within a tick.
+
+        Raises ValueError: the take is empty, or its window or workspace cannot be.
+        """
+    @property
+    def workspace(self) -> Vector: ...
+    @property
+    def seconds(self) -> float:
+        """That it plays, at its speed."""
+    @property
+    def finished(self) -> bool:
+        """Whether a session has gone past the last tick."""
+    @property
+    def window(self) -> Window | None:
+        """Where the session's workspace must lie; ``None`` where the hand was not that of a take."""
+
+@final
 class Window:
     """The workspace frame laid over the terrain. Immutable.
 
@@ -815,7 +882,7 @@ class Statistics:
     def mode_changes(self) -> int: ...
     @property
     def dropped(self) -> int:
-        """Ticks that found the ring full; they are lost to recordings."""
+        """Ticks that found the ring full; they are lost to ``drain``. A take counts its own: ``Take.dropped``."""
     @property
     def goal_cells(self) -> float:
         """Cells that the goal travelled over the ground, summed over the ticks."""
@@ -839,11 +906,110 @@ class Ticks:
     columns: tuple[str, ...]
     """``tick time hand_x hand_y hand_z goal_east goal_north goal_up proxy_east proxy_north proxy_up
     force_x force_y force_z feature vertices faces collision_tests cells mode window_east window_north window_up
-    window_width window_exaggeration window_turn`` (feature: 0 free, 1 face, 2 edge, 3 vertex; mode: 0 normal,
-    1 pan, 2 zoom)."""
+    window_width window_exaggeration window_turn normal_x normal_y normal_z buttons twist``; see ``Take.columns``."""
     def __len__(self) -> int: ...
     def column(self, name: str) -> memoryview:
         """One value a tick, format ``d``. Raises KeyError for an unknown name."""
+
+@final
+class Recording:
+    """How far a take has come."""
+
+    @property
+    def ticks(self) -> int:
+        """In memory; a live session's are collected every 50 ms."""
+    @property
+    def seconds(self) -> float:
+        """From the first tick to the last."""
+    @property
+    def dropped(self) -> int:
+        """Ticks that were done and are not in the take: the ring was full, or memory."""
+    @property
+    def spool(self) -> Path | None:
+        """Where the take is spooled to."""
+    @property
+    def spooled(self) -> int:
+        """Ticks that the spool has: the end of this process does not take them from it.
+
+        Of a live session all but the last tenth of a second, of a stepped one all but the last 999. The disk is made
+        to keep them every half second, should the power fail.
+        """
+    @property
+    def spool_failure(self) -> str | None:
+        """Why the spool gets no more, in the system's words, as for a full disk; memory goes on."""
+
+@final
+class Take:
+    """Recorded touch: every tick, 192 bytes of memory each (11.5 MB a minute), 188 on the disk (11.3 MB)."""
+
+    columns: tuple[str, ...]
+    """``tick time hand_x hand_y hand_z goal_east goal_north goal_up proxy_east proxy_north proxy_up
+    force_x force_y force_z feature mode window_east window_north window_up window_width window_exaggeration
+    window_turn normal_x normal_y normal_z buttons twist``.
+
+    ``tick`` counts the session's ticks: a step of more than 1 is a loss. ``time`` is in seconds on the session's
+    clock. ``hand`` is in the workspace frame, metres; ``goal``, the hand, and ``proxy`` in the terrain frame, metres;
+    ``force`` in newtons, workspace frame, as sent to the device. ``feature``: 0 free, 1 face, 2 edge, 3 vertex;
+    ``mode``: 0 normal, 1 pan, 2 zoom. ``window``: see Window. ``normal`` is the unit vector from hand to proxy, the
+    normal of a surface without friction, in the workspace frame (turned with the window, heights exaggerated); zero
+    in free space, in pan mode as when the surface was grabbed; floats of 32 bits in a take. ``buttons``: a bit each,
+    the first is the stylus button, also where ``Session.press`` pressed it. ``twist`` is the turn of the handle,
+    radians; 0 where the device does not tell."""
+    def __len__(self) -> int: ...
+    def column(self, name: str) -> memoryview:
+        """One value a tick, format ``d``. Raises KeyError for an unknown name."""
+    @property
+    def seconds(self) -> float:
+        """From the first tick to the last."""
+    @property
+    def about(self) -> str:
+        """The text that ``Session.start_recording`` was given."""
+    @property
+    def workspace(self) -> Vector:
+        """Width, depth and height of the device's workspace, metres."""
+    @property
+    def pre_roll(self) -> int:
+        """How many of the first ticks were felt before recording was asked for."""
+    @property
+    def dropped(self) -> int:
+        """Ticks that were done meanwhile and are not in the take."""
+    @property
+    def finished(self) -> bool:
+        """Whether recording came to its end: not of a file whose program ended before, nor of what ``recorded`` gives."""
+    @property
+    def lost(self) -> str | None:
+        """What of a file was not read, in words: it was cut short or is damaged. ``None`` where it is whole."""
+    @property
+    def spool_failure(self) -> str | None:
+        """Why the file that the take was spooled to is not whole, in the system's words; ``None`` where it is."""
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write a whole take to a file, over what was there.
+
+        Raises OSError; what was there is there still then.
+        """
+    def discard_spool(self) -> None:
+        """Remove the file that the take was spooled to, or was claimed from; harmless where there is none.
+
+        Raises OSError.
+        """
+    def release_spool(self) -> None:
+        """Leave that file where it is, to be claimed by whoever wants it.
+
+        Until one of these is called, or the take is garbage, nobody can claim it. Harmless where there is none.
+        """
+
+def read_take(path: str | os.PathLike[str]) -> Take:
+    """Read a take's file (``.touch``) up to its last whole block; ``Take.lost`` says what was not read.
+
+    Also one that is being recorded. Raises TakeError: it is no take, of a newer version, or cut or damaged in its
+    header; OSError.
+    """
+
+def claim_take(path: str | os.PathLike[str]) -> Take:
+    """Read a spool that a process left when it ended, and let no other process do the same: see ``discard_spool``.
+
+    Raises TakeInUseError: it is being recorded, or was claimed. TakeError and OSError as above.
+    """
 
 @final
 class Session:
@@ -893,7 +1059,7 @@ class Session:
     def __init__(
         self,
         grid: Grid,
-        device: ScriptedDevice | SimulatedDevice,
+        device: ScriptedDevice | SimulatedDevice | PlaybackDevice,
         window: Window,
         *,
         stiffness: float = 500.0,
@@ -1024,4 +1190,38 @@ class Session:
         """
     def state(self) -> State: ...
     def statistics(self) -> Statistics: ...
-    def drain(self) -> Ticks: ...
+    def drain(self) -> Ticks:
+        """Every tick since the last drain, as far as the ring took them.
+
+        While a take is recorded or a pre-roll is kept, the ring is emptied for these: then the newest ticks, up to
+        ``ring_seconds``.
+        """
+    def set_pre_roll(self, seconds: float) -> None:
+        """Keep that many seconds of ticks from now on, up to an hour, for a take to begin with; 0 ends that.
+
+        Raises ValueError for another number, SessionError where there is no thread to be had.
+        """
+    def start_recording(self, about: str = "", *, spool: str | os.PathLike[str] | None = None) -> None:
+        """Keep every tick from the next one on, and those of the pre-roll.
+
+        Of a live session a thread does that, whatever Python does; between steps it is done by ``step``, which
+        loses none however many are done at a time. It goes on over ``stop`` and ``start``.
+
+        Args:
+            about: a text to be kept with the take, JSON by custom, at most 1 MiB.
+            spool: a new file to which the take is written meanwhile, so that a crash loses a tenth of a second; at
+                ``stop_recording`` it becomes a whole take. No other process can claim it meanwhile. Without it the
+                take is in memory only.
+
+        Raises:
+            SessionError: a take is recorded already.
+            OSError: the file is there already, or cannot be made; nothing is recorded then.
+            ValueError: ``about`` is too long.
+        """
+    @property
+    def recording(self) -> Recording | None:
+        """How far the take has come; ``None`` where none is recorded."""
+    def recorded(self) -> Take:
+        """The take as far as it has come; it shares its memory. Raises SessionError where none is recorded."""
+    def stop_recording(self) -> Take:
+        """End the take, also after a fault. Raises SessionError where none is recorded."""

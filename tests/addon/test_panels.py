@@ -120,7 +120,8 @@ def test_the_panel_says_what_holds_the_force_back(label: Path) -> None:
 
 
 def test_every_reason_has_words(label: Path) -> None:
-    assert set(module("ui.panel").HELD) == {"host", "late", "speed", "device", "not_finite", "below"}
+    reasons = {"host", "late", "speed", "device", "not_finite", "finished", "below"}
+    assert set(module("ui.panel").HELD) == reasons
 
 
 def test_the_panel_says_why_touch_ended(label: Path) -> None:
@@ -140,7 +141,10 @@ def test_the_panel_misses_a_deleted_target(label: Path) -> None:
 
 def test_the_panel_starts_and_stops_takes(label: Path) -> None:
     import_grid(label)
-    assert drawn("HAPTIC_TERRAIN_PT_record").operators == ["haptic_terrain.record_start"]
+    assert drawn("HAPTIC_TERRAIN_PT_record").operators == [
+        "haptic_terrain.record_start",
+        "haptic_terrain.recover_take",
+    ]
     bpy.ops.haptic_terrain.touch_start()
     bpy.ops.haptic_terrain.record_start()
     assert drawn("HAPTIC_TERRAIN_PT_record").operators == ["haptic_terrain.record_stop"]

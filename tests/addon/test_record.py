@@ -252,16 +252,30 @@ def test_a_take_that_lost_nothing_says_so(terrain: bpy.types.Object) -> None:
     touch = start(device=circles())
     touch.session.step(60_000 + 77)  # lost before the take, and none of its business
     bpy.ops.haptic_terrain.record_start()
-    assert module("touch.live").live.recording.dropped == 0
+    assert module("touch.live").live.recording.recorder.dropped == 0
     run(touch, 100, timer_calls=1)
     assert module("record.recording").stop_recording(bpy.context).dropped == 0
 
 
-def test_lost_ticks_are_reported(terrain: bpy.types.Object) -> None:
+def test_nothing_is_lost_where_blender_looks_seldom(terrain: bpy.types.Object) -> None:
     touch = start(device=circles())
     bpy.ops.haptic_terrain.record_start()
-    touch.session.step(60_000 + 1234)
-    assert module("record.recording").stop_recording(bpy.context).dropped == 1234
+    touch.session.step(60_000 + 1234)  # more than the session's ring takes
+    written = module("record.recording").stop_recording(bpy.context)
+    assert (written.dropped, written.seconds) == (0, pytest.approx(61.233))
+
+
+def test_lost_ticks_are_reported(terrain: bpy.types.Object, capfd: pytest.CaptureFixture[str]) -> None:
+    from tests.addon.stand_in import StandIn
+
+    touch = start(device=circles())
+    bpy.ops.haptic_terrain.record_start()
+    touch.session.step(100)
+    recorder = module("touch.live").live.recording.recorder
+    take = StandIn(recorder.session.stop_recording(), dropped=1234)
+    recorder.session = StandIn(recorder.session, stop_recording=lambda: take)
+    assert bpy.ops.haptic_terrain.record_stop() == {"FINISHED"}
+    assert "1,234 ticks were lost" in capfd.readouterr().out
 
 
 def test_the_trail_lies_on_the_preview_and_on_the_ground(tmp_path: Path) -> None:

@@ -43,7 +43,7 @@ def felt(ticks: int = 2000, *, modes: tuple[str, ...] = (), **options: Any) -> A
         touch.session.set_mode(mode)
         touch.session.step(ticks // len(modes))
     touch.session.step(0 if modes else ticks)
-    module("touch.stop").collect_ticks(touch)
+    module("touch.stop").note_model(touch)
     return module("touch.live").live.recording
 
 

@@ -71,7 +71,7 @@ def felt(staged: Any) -> tuple[Any, Any]:
     touch.session.step(round(path.explore_at * 1000.0))
     touch.session.set_window(chosen[1])
     touch.session.step(round((path.seconds - path.explore_at) * 1000.0))
-    part("touch.stop").collect_ticks(touch)
+    part("touch.stop").note_model(touch)
     data = recording.take_data(part("touch.live").live.recording)
     recording.discard_recording(bpy.context)
     return touch, data

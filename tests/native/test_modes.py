@@ -57,7 +57,7 @@ def test_every_tick_tells_its_mode_and_window() -> None:
     session = modal(lifting())
     session.step(700)
     ticks = session.drain()
-    assert Ticks.columns[-7:] == (
+    assert Ticks.columns[-12:-5] == (
         "mode",
         "window_east",
         "window_north",

@@ -266,5 +266,7 @@ def test_a_target_that_is_nowhere_is_refused(target: tuple[float, float, float])
 
 
 def test_something_that_is_no_device_is_named() -> None:
-    with pytest.raises(TypeError, match=r"device is a str; expected a ScriptedDevice or a SimulatedDevice"):
+    with pytest.raises(
+        TypeError, match=r"device is a str; expected a ScriptedDevice, a SimulatedDevice or a PlaybackDevice"
+    ):
         touch(flat(), "Falcon")  # type: ignore[arg-type]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 
-from proxygraph import Grid, ScriptedDevice, Session, SimulatedDevice, Ticks, Window
+from proxygraph import Grid, PlaybackDevice, ScriptedDevice, Session, SimulatedDevice, Ticks, Window
 
 from tests.native.grounds import SIDE
 
@@ -18,7 +18,11 @@ def over_the_middle() -> Window:
     return Window(SIDE / 2, -SIDE / 2, 0.0, width=0.16 / SCALE)
 
 
-def touch(grid: Grid, device: ScriptedDevice | SimulatedDevice, **settings: float | str | None) -> Session:
+def touch(
+    grid: Grid,
+    device: ScriptedDevice | SimulatedDevice | PlaybackDevice,
+    **settings: float | str | bool | None,
+) -> Session:
     """A session over the middle of the ground."""
     return Session(grid, device, over_the_middle(), **settings)  # type: ignore[arg-type]
 

@@ -133,6 +133,12 @@ pub trait Device: Send {
     /// that no time passes; the last write of a session is of that kind.
     fn write(&mut self, force: Force, dt: f64) -> Result<(), DeviceError>;
 
+    /// Whether a device that plays has played all that it had: there is no force from then on. A hand
+    /// never is.
+    fn is_finished(&self) -> bool {
+        false
+    }
+
     /// Where a simulated hand shall go (workspace metres). Real hands go where they want.
     fn set_target(&mut self, _target: [f64; 3]) {}
 

@@ -10,11 +10,11 @@ pub use geotiff::GeoTiff;
 pub use raw_samples::RawSamples;
 pub use usgs_dem::UsgsDem;
 
-use crate::errors::{grid_error, value_error};
+use crate::errors::{grid_error, os_error, value_error};
 use crate::grid::{Grid, GridLayout};
 use crate::numbers::Whole;
 use pyo3::create_exception;
-use pyo3::exceptions::{PyException, PyOSError};
+use pyo3::exceptions::PyException;
 use pyo3::prelude::*;
 use std::sync::Arc;
 
@@ -99,23 +99,8 @@ pub fn decode_refusal(error: decode::DecodeError) -> PyErr {
         decode::DecodeError::Wrong { field, found, expected } => {
             DecodeError::new_err((field, found, expected))
         }
-        decode::DecodeError::File(error) => system_refusal(error),
+        decode::DecodeError::File(error) => os_error(error, None),
         decode::DecodeError::Grid(error) => grid_error(error),
         decode::DecodeError::Cancelled => CancelledError::new_err("cancelled"),
     }
-}
-
-/// What the system says, as Python's own `OSError` with its number: callers tell a full disk from the rest.
-fn system_refusal(error: std::io::Error) -> PyErr {
-    match error.raw_os_error() {
-        // Windows counts its errors otherwise.
-        Some(number) if cfg!(unix) => PyOSError::new_err((number, plain_text(&error))),
-        _ => error.into(),
-    }
-}
-
-/// The system's words without the number that Rust puts behind them.
-fn plain_text(error: &std::io::Error) -> String {
-    let text = error.to_string();
-    text.split(" (os error").next().unwrap_or_default().to_owned()
 }

@@ -1,8 +1,9 @@
 //! The module's exceptions.
 
 use pyo3::create_exception;
-use pyo3::exceptions::{PyRuntimeError, PyValueError};
+use pyo3::exceptions::{PyOSError, PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
+use std::path::Path;
 
 create_exception!(
     proxygraph,
@@ -38,4 +39,23 @@ pub fn session_error(error: impl std::fmt::Display) -> PyErr {
 /// A `ValueError` from anything that explains itself.
 pub fn value_error(error: impl std::fmt::Display) -> PyErr {
     PyValueError::new_err(error.to_string())
+}
+
+/// What the system says, as Python's own `OSError` with its number and the file: callers tell a full
+/// disk from the rest.
+pub fn os_error(error: std::io::Error, path: Option<&Path>) -> PyErr {
+    match (error.raw_os_error(), path) {
+        // Windows counts its errors otherwise.
+        (Some(number), Some(path)) if cfg!(unix) => {
+            PyOSError::new_err((number, plain_text(&error), path.as_os_str().to_owned()))
+        }
+        (Some(number), None) if cfg!(unix) => PyOSError::new_err((number, plain_text(&error))),
+        _ => error.into(),
+    }
+}
+
+/// The system's words without the number that Rust puts behind them.
+fn plain_text(error: &std::io::Error) -> String {
+    let text = error.to_string();
+    text.split(" (os error").next().unwrap_or_default().to_owned()
 }

@@ -9,8 +9,10 @@ mod errors;
 mod grid;
 mod model;
 mod numbers;
+mod recording;
 mod session;
 mod state;
+mod take;
 mod ticks;
 
 use pyo3::prelude::*;
@@ -36,7 +38,7 @@ mod module {
     #[pymodule_export]
     use crate::decode::{EsriAscii, GeoTiff, RawSamples, UsgsDem};
     #[pymodule_export]
-    use crate::devices::{ScriptedDevice, SimulatedDevice};
+    use crate::devices::{PlaybackDevice, ScriptedDevice, SimulatedDevice};
     #[pymodule_export]
     use crate::errors::{GridError, SessionError};
     #[pymodule_export]
@@ -44,9 +46,13 @@ mod module {
     #[pymodule_export]
     use crate::model::{Contact, ContactModel};
     #[pymodule_export]
+    use crate::recording::Recording;
+    #[pymodule_export]
     use crate::session::{Session, Window};
     #[pymodule_export]
     use crate::state::{State, Statistics};
+    #[pymodule_export]
+    use crate::take::{Take, TakeError, TakeInUseError, claim_take, read_take};
     #[pymodule_export]
     use crate::ticks::Ticks;
 

@@ -1,5 +1,6 @@
-//! Whole numbers from Python, which may be larger than any of Rust's.
+//! Numbers from Python: whole ones, which may be larger than any of Rust's, and many doubles.
 
+use pyo3::buffer::PyBuffer;
 use pyo3::exceptions::PyOverflowError;
 use pyo3::prelude::*;
 use std::fmt::Display;
@@ -68,4 +69,19 @@ impl Bounded for u32 {
 
 impl Bounded for u64 {
     const LARGEST: u64 = u64::MAX;
+}
+
+/// Many doubles: a buffer of them (an array, a memoryview, numpy's), or any sequence of numbers.
+pub struct Doubles(pub Vec<f64>);
+
+impl FromPyObject<'_, '_> for Doubles {
+    type Error = PyErr;
+
+    fn extract(object: Borrowed<'_, '_, PyAny>) -> PyResult<Self> {
+        match PyBuffer::<f64>::get(&object) {
+            Ok(buffer) => Ok(Self(buffer.to_vec(object.py())?)),
+            // No buffer, or one of other numbers.
+            Err(_) => Ok(Self(object.extract()?)),
+        }
+    }
 }

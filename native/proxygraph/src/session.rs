@@ -5,11 +5,14 @@ use crate::devices::AnyDevice;
 use crate::errors::{session_refusal, value_error};
 use crate::grid::Grid;
 use crate::numbers::Whole;
+use crate::recording::Recording;
 use crate::state::{State, Statistics};
+use crate::take::{Take, write_refusal};
 use crate::ticks::Ticks;
 use pyo3::prelude::*;
 use pyo3::sync::MutexExt;
-use servo::{Frame, Interaction, Mode, Settings};
+use servo::{Frame, Interaction, Mode, SessionError, Settings};
+use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard};
 
 /// After so many ticks a person's Ctrl-C is looked for; some milliseconds.
@@ -309,6 +312,38 @@ impl Session {
 
     fn drain(&self, py: Python<'_>) -> Ticks {
         Ticks::new(self.detached(py, |session| session.drain()))
+    }
+
+    fn set_pre_roll(&self, py: Python<'_>, seconds: f64) -> PyResult<()> {
+        self.detached(py, |session| session.set_pre_roll(seconds)).map_err(session_refusal)
+    }
+
+    #[pyo3(signature = (about="", *, spool=None))]
+    fn start_recording(&self, py: Python<'_>, about: &str, spool: Option<PathBuf>) -> PyResult<()> {
+        let (about, spool) = (about.to_owned(), spool.as_deref());
+        self.detached(py, |session| session.start_recording(about, spool)).map_err(|error| {
+            match error {
+                SessionError::Spool(error) => {
+                    write_refusal(error, spool.unwrap_or_else(|| Path::new("")))
+                }
+                error => session_refusal(error),
+            }
+        })
+    }
+
+    #[getter]
+    fn recording(&self, py: Python<'_>) -> Option<Recording> {
+        self.lock(py).recording().map(Recording::new)
+    }
+
+    fn recorded(&self, py: Python<'_>) -> PyResult<Take> {
+        let take = self.detached(py, |session| session.recorded()).map_err(session_refusal)?;
+        Ok(Take::so_far(take))
+    }
+
+    fn stop_recording(&self, py: Python<'_>) -> PyResult<Take> {
+        let recorded = self.detached(py, |session| session.stop_recording());
+        Ok(Take::recorded(recorded.map_err(session_refusal)?))
     }
 }
 

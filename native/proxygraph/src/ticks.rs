@@ -10,7 +10,7 @@ use servo::{Mode, TickRecord};
 /// A column's name and how its value is read from a tick.
 type Column = (&'static str, fn(&TickRecord) -> f64);
 
-const COLUMNS: [Column; 26] = [
+const COLUMNS: [Column; 31] = [
     ("tick", |tick| tick.tick as f64),
     ("time", |tick| tick.time),
     ("hand_x", |tick| tick.hand[0]),
@@ -37,6 +37,11 @@ const COLUMNS: [Column; 26] = [
     ("window_width", |tick| tick.window.width()),
     ("window_exaggeration", |tick| tick.window.exaggeration()),
     ("window_turn", |tick| tick.window.turn()),
+    ("normal_x", |tick| tick.normal[0]),
+    ("normal_y", |tick| tick.normal[1]),
+    ("normal_z", |tick| tick.normal[2]),
+    ("buttons", |tick| f64::from(tick.buttons)),
+    ("twist", |tick| tick.twist.unwrap_or(0.0)),
 ];
 
 /// Every tick since the last drain.

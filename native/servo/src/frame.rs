@@ -84,12 +84,13 @@ impl Frame {
         let [columns, rows] = ground_way(from, to);
         // "0.0 -" instead of a sign: no way north is 0, not -0.
         let (east, north) = (columns * self.metric.column, 0.0 - rows * self.metric.row);
+        self.turned([east, north, (to.elevation - from.elevation) * self.metric.up])
+    }
+
+    /// The workspace's own directions (right, away, up) for a way to the east, to the north and up.
+    pub(crate) fn turned(&self, [east, north, up]: [f64; 3]) -> [f64; 3] {
         let [cosine, sine] = self.turn;
-        [
-            east * cosine + north * sine,
-            north * cosine - east * sine,
-            (to.elevation - from.elevation) * self.metric.up,
-        ]
+        [east * cosine + north * sine, north * cosine - east * sine, up]
     }
 
     /// Where in the workspace a grid point lies, metres.

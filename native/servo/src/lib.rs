@@ -3,10 +3,12 @@
 //! From the inside out: the safety chain alone has the device; a [`Servo`] does one tick; an engine
 //! around it takes commands and gives records; [`Session`] runs the engine, either on a thread of its
 //! own at 1 kHz or step by step. Both ways run the same code, and nothing in a tick waits, allocates, locks or logs.
+//! What becomes of the records, takes and their files among it, is done on other threads (`collector`).
 
 #[cfg(feature = "test-hooks")]
 pub mod bare;
 mod clock;
+mod collector;
 mod command;
 mod deadlines;
 mod engine;
@@ -15,6 +17,7 @@ mod fault;
 pub mod faults;
 mod force;
 mod frame;
+mod helper;
 mod histogram;
 mod live;
 mod memory;
@@ -23,6 +26,8 @@ mod modes;
 mod passivity;
 mod priority;
 mod record;
+mod recording;
+mod replay;
 mod safety;
 mod servo;
 mod session;
@@ -38,6 +43,8 @@ pub use memory::LockedMemory;
 pub use modes::Interaction;
 pub use priority::Priority;
 pub use record::TickRecord;
+pub use recording::{Recorded, Recording};
+pub use replay::Replay;
 #[cfg(feature = "test-hooks")]
 pub use safety::Stage;
 pub use safety::{Held, Limits, STALE_AFTER, Trips, Warning};

@@ -1,6 +1,7 @@
 //! What one tick leaves behind for recordings.
 
 use contact::Feature;
+use takes::Tick;
 
 use crate::{Mode, Window};
 
@@ -33,6 +34,16 @@ pub struct TickRecord {
     pub mode: Mode,
     /// Where the workspace lies.
     pub window: Window,
+    /// Unit vector from the hand to the proxy in the workspace frame, heights exaggerated: the
+    /// normal of a surface without friction. Zero in free space; in pan mode, as when the surface was
+    /// grabbed.
+    pub normal: [f64; 3],
+    /// Which buttons are down, a bit each; the first is the stylus button, also where a key was
+    /// pressed for it.
+    pub buttons: u32,
+    /// How far the handle is turned about the vertical, radians; `None` where the device does not
+    /// tell.
+    pub twist: Option<f64>,
 }
 
 impl TickRecord {
@@ -53,6 +64,46 @@ impl TickRecord {
             cells: 0,
             mode: Mode::Normal,
             window,
+            normal: [0.0; 3],
+            buttons: 0,
+            twist: None,
+        }
+    }
+}
+
+impl From<&TickRecord> for Tick {
+    /// What a take keeps of it.
+    fn from(record: &TickRecord) -> Tick {
+        let window = &record.window;
+        Tick {
+            number: record.tick,
+            time: record.time,
+            hand: record.hand,
+            goal: record.goal,
+            proxy: record.proxy,
+            force: record.force,
+            twist: record.twist.unwrap_or(0.0),
+            window: [
+                window.east(),
+                window.north(),
+                window.up(),
+                window.width(),
+                window.exaggeration(),
+                window.turn(),
+            ],
+            normal: record.normal.map(|part| part as f32),
+            buttons: record.buttons,
+            feature: match record.feature {
+                Feature::Free => 0,
+                Feature::Face => 1,
+                Feature::Edge => 2,
+                Feature::Vertex => 3,
+            },
+            mode: match record.mode {
+                Mode::Normal => 0,
+                Mode::Pan => 1,
+                Mode::Zoom => 2,
+            },
         }
     }
 }

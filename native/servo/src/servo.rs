@@ -9,7 +9,7 @@ use surface::{Grid, GridPoint};
 use crate::force::spring;
 use crate::frame::ground_cells;
 use crate::memory::Piece;
-use crate::modes::{Changed, Hand, Hold, Modes};
+use crate::modes::{Changed, Hand, Hold, Modes, STYLUS};
 use crate::passivity::{Coupling, Passivity, declared_damping};
 use crate::safety::{Heartbeat, Reading, Safety, Stage};
 use crate::{Fault, Frame, Held, Limits, Mode, Settings, TickRecord, Totals, Walls};
@@ -179,11 +179,9 @@ impl Servo {
 
     /// The force of a mode that holds the hand.
     fn hold(&mut self, pose: &Pose, goal: &GridPoint, hold: &Hold, dt: f64) -> Force {
-        self.latest.hand = pose.position;
-        self.latest.goal = self.frame.terrain(goal);
+        self.report_hand(pose, goal);
         if self.mode() == Mode::Zoom {
-            self.latest.proxy = self.latest.goal;
-            self.latest.feature = Feature::Free;
+            self.report_free();
             self.last_proxy = *goal;
         }
         let mut stretch = hold.stretch;
@@ -202,6 +200,7 @@ impl Servo {
         self.passivity.begin();
         self.end_mode();
         self.latest.feature = Feature::Free;
+        self.latest.normal = [0.0; 3];
     }
 
     /// Back to normal mode, over a surface at rest.
@@ -257,10 +256,8 @@ impl Servo {
     /// The model lost its proxy: no force, and it begins anew at the hand.
     fn distrust_model(&mut self, pose: &Pose, goal: &GridPoint) -> Force {
         self.last_goal = None;
-        self.latest.hand = pose.position;
-        self.latest.goal = self.frame.terrain(goal);
-        self.latest.proxy = self.latest.goal;
-        self.latest.feature = Feature::Free;
+        self.report_hand(pose, goal);
+        self.report_free();
         self.distrust()
     }
 
@@ -278,11 +275,29 @@ impl Servo {
         totals.unfinished += u64::from(counters.steps_left > 0);
     }
 
-    fn report(&mut self, pose: &Pose, goal: &GridPoint, contact: &Contact) {
+    fn report_hand(&mut self, pose: &Pose, goal: &GridPoint) {
+        let is_key_down = self.modes.as_ref().is_some_and(Modes::is_key_down);
         self.latest.hand = pose.position;
         self.latest.goal = self.frame.terrain(goal);
+        self.latest.buttons = pose.buttons | if is_key_down { STYLUS } else { 0 };
+        self.latest.twist = pose.twist;
+    }
+
+    /// Nothing is touched.
+    fn report_free(&mut self) {
+        self.latest.proxy = self.latest.goal;
+        self.latest.feature = Feature::Free;
+        self.latest.normal = [0.0; 3];
+    }
+
+    fn report(&mut self, pose: &Pose, goal: &GridPoint, contact: &Contact) {
+        self.report_hand(pose, goal);
         self.latest.proxy = self.frame.terrain(&contact.proxy);
         self.latest.feature = contact.feature;
+        self.latest.normal = match contact.feature {
+            Feature::Free => [0.0; 3],
+            _ => self.frame.turned(contact.normal()),
+        };
         self.latest.vertices = contact.counters.vertices;
         self.latest.faces = contact.counters.faces;
         self.latest.collision_tests = contact.counters.collision_tests;

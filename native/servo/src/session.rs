@@ -1,25 +1,29 @@
 //! A session: one device touching one grid, live or stepped.
 
 use std::io;
+use std::path::Path;
 use std::sync::{Arc, OnceLock};
 
 use contact::ContactModel;
 use devices::{Device, ParameterError, check};
 use rtrb::{Consumer, Producer, RingBuffer};
 use surface::Grid;
+use takes::{Header, Take, WriteError};
 use triple_buffer::{Output, triple_buffer};
 
+use crate::collector::Collector;
 use crate::command::Command;
 use crate::engine::{COMMANDS, Engine, Ports, RETIRED, Snapshot, TICKS_PER_SECOND};
+use crate::helper::Helper;
 use crate::live::{Granted, Live};
 use crate::safety::Heartbeat;
 use crate::{
-    Fault, Frame, Held, Histogram, Interaction, Limits, LockedMemory, Mode, Priority, Servo, State,
-    Statistics, TickRecord, Totals, Warning, Window,
+    Fault, Frame, Held, Histogram, Interaction, Limits, LockedMemory, Mode, Priority, Recorded,
+    Recording, Servo, State, Statistics, TickRecord, Totals, Warning, Window,
 };
 
-/// The longest ring: an hour of ticks takes about a gigabyte.
-const LONGEST_RING_SECONDS: f64 = 3600.0;
+/// The longest ring, and the longest pre-roll: an hour of ticks takes about a gigabyte.
+const LONGEST_SECONDS: f64 = 3600.0;
 
 /// The numbers of a session.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -110,6 +114,15 @@ pub enum SessionError {
         "{COMMANDS} commands wait for the servo already: it stalls, or too much is asked of it"
     )]
     CommandsFull,
+    /// One take at a time.
+    #[error("a take is being recorded already")]
+    AlreadyRecording,
+    /// A take was asked for where there is none.
+    #[error("no take is being recorded")]
+    NotRecording,
+    /// The file for a take cannot be made.
+    #[error(transparent)]
+    Spool(#[from] WriteError),
     /// A target that is nowhere, or a window that cannot be laid over this grid.
     #[error(transparent)]
     Parameter(#[from] ParameterError),
@@ -137,14 +150,16 @@ pub struct Session {
     /// The name of the contact model that was chosen last.
     model: &'static str,
     /// Metres.
-    workspace_width: f64,
+    workspace: [f64; 3],
     limits: Limits,
     /// Seconds.
     stale_after: Option<f64>,
     heartbeat: Arc<Heartbeat>,
     commands: Producer<Command>,
     retired: Consumer<Box<dyn ContactModel>>,
-    records: Consumer<TickRecord>,
+    collector: Arc<Collector>,
+    /// While a live session records, or keeps a pre-roll.
+    helper: Option<Helper>,
     snapshots: Output<Snapshot>,
     update_times: Arc<Histogram>,
     lateness: Arc<Histogram>,
@@ -201,13 +216,14 @@ impl Session {
             windows: 0,
             has_modes: settings.interaction.is_some(),
             model: name,
-            workspace_width: capabilities.workspace[0],
+            workspace: capabilities.workspace,
             limits,
             stale_after: settings.stale_after,
             heartbeat: Arc::default(),
             commands,
             retired,
-            records,
+            collector: Arc::new(Collector::new(records, capacity)),
+            helper: None,
             snapshots,
             update_times,
             lateness,
@@ -221,6 +237,7 @@ impl Session {
     /// Runs at 1 kHz on a thread of its own. The proxy begins at the hand.
     pub fn start(&mut self) -> Result<(), SessionError> {
         self.refuse_after_fault()?;
+        self.help(self.collector.is_busy())?;
         match std::mem::replace(&mut self.place, Place::Lost) {
             Place::Here(mut engine) => {
                 engine.servo().watch_host(self.watched_heartbeat());
@@ -233,6 +250,7 @@ impl Session {
                     Err((error, mut engine)) => {
                         engine.servo().watch_host(None);
                         self.place = Place::Here(engine);
+                        self.helper = None;
                         Err(SessionError::Thread(error))
                     }
                 }
@@ -266,6 +284,13 @@ impl Session {
             },
             elsewhere => self.place = elsewhere,
         }
+        let is_helped = self.helper.as_ref().is_some_and(Helper::is_here);
+        self.helper = None;
+        if is_helped {
+            // What it had not got yet.
+            self.collector.collect();
+            self.collector.spool_all();
+        }
     }
 
     /// Does `count` ticks of 1 ms here and now, deterministically; fewer where a fault ends touch.
@@ -274,14 +299,19 @@ impl Session {
         let Place::Here(engine) = &mut self.place else {
             return Err(SessionError::Live);
         };
-        engine.guard(|engine| {
-            for _ in 0..count {
-                engine.step();
-                if engine.fault().is_some() {
-                    return;
-                }
+        if self.collector.is_busy() {
+            // The ring never overflows between two looks at it.
+            let most = self.collector.ring_capacity() as u64;
+            let mut left = count;
+            while left > 0 && engine.fault().is_none() {
+                step(engine, left.min(most));
+                left -= left.min(most);
+                self.collector.collect();
+                self.collector.spool_steps();
             }
-        });
+        } else {
+            step(engine, count);
+        }
         if let Some(fault) = engine.fault() {
             self.fault.get_or_init(|| fault.clone());
         }
@@ -323,7 +353,7 @@ impl Session {
     /// Lays the workspace elsewhere, from the next tick on. The proxy then begins anew at the hand,
     /// in normal mode, over a surface at rest.
     pub fn set_window(&mut self, window: Window) -> Result<(), SessionError> {
-        let frame = Frame::new(window, self.workspace_width, self.grid.layout())?;
+        let frame = Frame::new(window, self.workspace[0], self.grid.layout())?;
         self.command(Command::Window { frame, number: self.windows + 1 })?;
         self.windows += 1;
         self.window = window;
@@ -410,15 +440,78 @@ impl Session {
         }
     }
 
-    /// Every tick since the last drain that found room in the ring, oldest first.
+    /// Every tick since the last drain that found room in the ring, oldest first. While a take is
+    /// recorded, or a pre-roll kept, there is always room: then the newest ones, as many as the ring
+    /// takes.
     pub fn drain(&mut self) -> Vec<TickRecord> {
-        // Asked once: ticks done while draining are left for the next time.
-        let waiting = self.records.slots();
-        let mut drained = Vec::with_capacity(waiting);
-        for _ in 0..waiting {
-            drained.extend(self.records.pop().ok());
+        self.collector.drain()
+    }
+
+    /// From now on that many seconds of ticks are kept, up to an hour, for a take to begin with; 0
+    /// ends that. Half an hour of them takes half a gigabyte.
+    pub fn set_pre_roll(&mut self, seconds: f64) -> Result<(), SessionError> {
+        if !(0.0..=LONGEST_SECONDS).contains(&seconds) {
+            let expected = "from 0 to 3600 seconds";
+            let name = "pre_roll";
+            return Err(ParameterError { name, value: seconds, expected }.into());
         }
-        drained
+        self.collector.set_pre_roll((seconds * TICKS_PER_SECOND).ceil() as usize);
+        self.help_if_live()
+    }
+
+    /// Keeps every tick from the next one on, and those of the pre-roll, in memory and, where `spool`
+    /// is given, in a new file there (see [`takes`]). `about` is a text for the take, as JSON.
+    pub fn start_recording(
+        &mut self,
+        about: String,
+        spool: Option<&Path>,
+    ) -> Result<(), SessionError> {
+        let done = self.snapshots.read().state.tick;
+        let header = Header { about, workspace: self.workspace, pre_roll: 0 };
+        if !self.collector.begin(header, spool, done)? {
+            return Err(SessionError::AlreadyRecording);
+        }
+        // Without its helper a live take would not be what was asked for.
+        self.help_if_live().inspect_err(|_| {
+            let recorded = self.collector.end(done);
+            recorded.and_then(|recorded| recorded.spool).map(takes::Spool::remove);
+        })
+    }
+
+    /// How far the take has come; `None` where none is recorded.
+    pub fn recording(&self) -> Option<Recording> {
+        self.collector.recording()
+    }
+
+    /// The take as far as it has come.
+    pub fn recorded(&self) -> Result<Take, SessionError> {
+        self.collector.so_far().ok_or(SessionError::NotRecording)
+    }
+
+    /// Ends the take, also after a fault, and marks its file as whole.
+    pub fn stop_recording(&mut self) -> Result<Recorded, SessionError> {
+        // The last tick of the take is one that was done by now; what the ring lost before is told.
+        let done = self.snapshots.read().state.tick;
+        let recorded = self.collector.end(done).ok_or(SessionError::NotRecording)?;
+        // Only ends the helper, which cannot fail.
+        self.help_if_live()?;
+        Ok(recorded)
+    }
+
+    fn help_if_live(&mut self) -> Result<(), SessionError> {
+        let is_live = matches!(self.place, Place::Live(_));
+        self.help(is_live && self.collector.is_busy())
+    }
+
+    /// Has the helper there, or not.
+    fn help(&mut self, is_wanted: bool) -> Result<(), SessionError> {
+        if !is_wanted {
+            self.helper = None;
+        } else if self.helper.is_none() {
+            let helper = Helper::start(Arc::clone(&self.collector));
+            self.helper = Some(helper.map_err(SessionError::Thread)?);
+        }
+        Ok(())
     }
 
     /// What holds, after the device's limits.
@@ -428,9 +521,15 @@ impl Session {
 
     /// What the safety chain did so far, in words for the person, the gravest first.
     pub fn warnings(&mut self) -> Vec<Warning> {
-        let Snapshot { state, totals, .. } = *self.snapshots.read();
+        let Snapshot { state, mut totals, .. } = *self.snapshots.read();
+        if !self.collector.is_drained() {
+            // Nobody wanted them but a recording, which counts what it lost.
+            totals.dropped = 0;
+        }
         let below = self.is_below_ground(&state).then_some(Warning::Below);
-        below.into_iter().chain(Warning::all(&self.limits, &totals)).collect()
+        let of_recording = self.recording().into_iter().flat_map(Warning::of_recording);
+        let others = Warning::all(&self.limits, &totals);
+        below.into_iter().chain(of_recording).chain(others).collect()
     }
 
     /// Whoever needs to look at a live session is still there: see [`Settings::stale_after`].
@@ -526,9 +625,21 @@ impl Drop for Session {
     }
 }
 
+/// Fewer where a fault ends touch.
+fn step(engine: &mut Engine, count: u64) {
+    engine.guard(|engine| {
+        for _ in 0..count {
+            engine.step();
+            if engine.fault().is_some() {
+                return;
+            }
+        }
+    });
+}
+
 /// Ticks in that many seconds, at least one.
 fn ring_capacity(seconds: f64) -> Result<usize, ParameterError> {
-    if !(seconds > 0.0 && seconds <= LONGEST_RING_SECONDS) {
+    if !(seconds > 0.0 && seconds <= LONGEST_SECONDS) {
         let expected = "above zero and at most 3600 seconds";
         return Err(ParameterError { name: "ring_seconds", value: seconds, expected });
     }

@@ -31,7 +31,7 @@ pub struct Totals {
     /// Ticks in which the spring had given the hand more energy than it took, as the passivity
     /// observer counts it.
     pub active_ticks: u64,
-    /// Ticks that found the ring full; they are lost to recordings.
+    /// Ticks that found the ring full; they are lost to drains.
     pub dropped: u64,
     /// Cells that the goal travelled over the ground, summed over the ticks.
     pub goal_cells: f64,

@@ -244,3 +244,23 @@ fn a_tick_that_switches_models_allocates_and_frees_nothing() {
     assert_eq!(read_on(), before);
     session.stop();
 }
+
+#[test]
+fn a_servo_whose_ticks_are_recorded_allocates_nothing() {
+    let (reads, calls) = (Arc::new(AtomicU64::new(0)), Arc::new(AtomicU64::new(0)));
+    let device = Telltale { reads: Arc::clone(&reads), calls: Arc::clone(&calls) };
+    let mut session = session_with(device, 60.0);
+    session.set_pre_roll(0.05).unwrap();
+    session.start().unwrap();
+    wait_until(|| reads.load(Ordering::Acquire) > 100);
+    let before = calls.load(Ordering::Acquire);
+    let path = std::env::temp_dir().join(format!("no-allocation-{}.touch", std::process::id()));
+    session.start_recording(String::new(), Some(&path)).unwrap();
+    wait_until(|| session.recording().unwrap().spooled > 200);
+    let recorded = session.stop_recording().unwrap();
+    let read = reads.load(Ordering::Acquire);
+    wait_until(|| reads.load(Ordering::Acquire) > read + 2);
+    assert_eq!(calls.load(Ordering::Acquire), before);
+    session.stop();
+    recorded.spool.unwrap().remove().unwrap();
+}

@@ -138,8 +138,13 @@ fn full_queues_hold_up_neither_the_force_nor_its_end() {
     session.stop();
     assert_eq!(log.last_force(), [0.0; 3]);
     assert!(session.statistics().totals.dropped > 0);
-    let told: Vec<String> = session.warnings().iter().map(ToString::to_string).collect();
-    assert!(told.iter().any(|line| line.contains("lost to recordings")), "{told:?}");
+    let told = |session: &mut Session| -> Vec<String> {
+        session.warnings().iter().map(ToString::to_string).collect()
+    };
+    let tells = |lines: &[String]| lines.iter().any(|line| line.contains("nobody drained them"));
+    assert!(!tells(&told(&mut session)), "nobody wants them so far");
+    session.drain();
+    assert!(tells(&told(&mut session)));
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use crate::Mode;
 
 /// The first button of every device.
-const STYLUS: u32 = 1;
+pub(crate) const STYLUS: u32 = 1;
 
 /// Turns presses into modes.
 #[derive(Clone, Copy, Debug, Default)]
@@ -21,6 +21,11 @@ pub(super) struct Button {
 impl Button {
     pub(super) fn press(&mut self, is_down: bool) {
         self.key = is_down;
+    }
+
+    /// Whether a key is down for it.
+    pub(super) fn is_key_down(&self) -> bool {
+        self.key
     }
 
     pub(super) fn force(&mut self, mode: Mode) {

@@ -32,6 +32,7 @@ use crate::{Frame, Limits, Mode};
 
 pub(crate) use bounds::Bounds;
 use button::Button;
+pub(crate) use button::STYLUS;
 use drift::Drift;
 pub use interaction::Interaction;
 use pan::Pan;
@@ -144,6 +145,11 @@ impl Modes {
     /// The keyboard's stylus button.
     pub(crate) fn press(&mut self, is_down: bool) {
         self.button.press(is_down);
+    }
+
+    /// Whether a key is down for the stylus button.
+    pub(crate) fn is_key_down(&self) -> bool {
+        self.button.is_key_down()
     }
 
     /// A script's wish.

@@ -10,6 +10,7 @@
 //! | speed | `speed` | zero force while the handle has slipped |
 //! | host | `host` | no force while nobody looks at the session |
 //! | late | `late` | no force while ticks are missed |
+//! | end | here | no force once a device has played all that it had |
 //! | clamp, stiffness | `limits` | the lower of the person's limit and the device's |
 //! | ramp | `gate` | takes the force away and brings it back slowly, for all of the above |
 //! | slew | `slew` | lets the force change only so fast |
@@ -149,6 +150,9 @@ impl Safety {
             self.speed.lose(dt);
             self.distrust();
             return Ok(Reading::Nothing);
+        }
+        if self.device.is_finished() {
+            self.close(Held::Finished, 0.0);
         }
         Ok(Reading::Hand { pose, followed: self.follow(&pose, dt) })
     }
@@ -291,8 +295,9 @@ impl Safety {
                 Held::Speed => self.trips.speed_cuts += 1,
                 Held::Host => self.trips.host_cuts += 1,
                 Held::Late => self.trips.late_cuts += 1,
-                // Counted by ticks where they are noticed; and no stage acts below the ground.
-                Held::Device | Held::NotFinite | Held::Below => {}
+                // Counted by ticks where they are noticed; an end is no trip; and no stage acts below
+                // the ground.
+                Held::Device | Held::NotFinite | Held::Finished | Held::Below => {}
             }
         }
     }

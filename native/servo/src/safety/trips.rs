@@ -36,6 +36,8 @@ pub enum Held {
     Device,
     /// A position or a force was not a number.
     NotFinite,
+    /// The device has played all that it had to play.
+    Finished,
     /// The hand is under the ground without touching it: touch begins only from above. No stage of
     /// the chain says so; a session finds it when somebody looks.
     Below,
@@ -50,6 +52,7 @@ impl Held {
             Held::Speed => "speed",
             Held::Device => "device",
             Held::NotFinite => "not_finite",
+            Held::Finished => "finished",
             Held::Below => "below",
         }
     }

@@ -1,16 +1,33 @@
 //! What the safety chain did, in words for the person.
 
 use super::slew::rate_at_switch;
-use crate::{Limits, Totals};
+use crate::{Limits, Recording, Totals};
 
 /// What a stage did since the session was made, why, and what can be done about it.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Warning {
     /// The hand is under the ground now.
     #[error(
         "The hand is under the ground, and touch begins only from above: lift it out and come down again."
     )]
     Below,
+    /// The take's file gets no more.
+    #[error(
+        "The take is in memory only: its file {path} cannot be written ({words}). Stop the recording \
+         to keep it, and free space on the disk."
+    )]
+    Spool {
+        /// The file.
+        path: String,
+        /// The system's.
+        words: String,
+    },
+    /// Ticks are missing in the take.
+    #[error(
+        "The take has lost {0} ticks, because the computer was too busy or its memory is full: stop \
+         the recording to keep what there is."
+    )]
+    TakeDropped(u64),
     /// The spring is softer than was asked for.
     #[error(
         "The stiffness was cut from {asked:.0} to {given:.0} N/m: the device would tremble with more."
@@ -96,8 +113,8 @@ pub enum Warning {
          sub-steps, take a smaller sphere, or give it a larger step budget."
     )]
     Unfinished(u64),
-    /// Ticks were lost to recordings.
-    #[error("Ticks were lost to recordings {}, because nobody fetched them in time.", often(.0))]
+    /// Ticks were lost to who drains them.
+    #[error("{0} ticks were lost, because nobody drained them in time.")]
     Dropped(u64),
 }
 
@@ -113,6 +130,14 @@ fn often(count: &u64) -> String {
 }
 
 impl Warning {
+    /// What is to be told of a take in the making.
+    pub(crate) fn of_recording(recording: Recording) -> impl Iterator<Item = Warning> {
+        let path = recording.spool.unwrap_or_default().display().to_string();
+        let spool = recording.failure.map(|words| Warning::Spool { path, words });
+        let dropped = recording.dropped;
+        spool.into_iter().chain((dropped > 0).then_some(Warning::TakeDropped(dropped)))
+    }
+
     /// All that is to be told, the gravest first.
     pub(crate) fn all(limits: &Limits, totals: &Totals) -> Vec<Warning> {
         let trips = &totals.trips;
