@@ -1,14 +1,14 @@
 """Nested levels in the place of a terrain's own mesh, in the viewports only.
 
-The terrain gets a modifier of geometry nodes that is off in renders, and takes an object of ours that is in no scene.
-So the terrain object is what is seen, chosen, hidden, moved and parented, as before, in every scene that has it,
-while its mesh stays as it is; and a render, which does not know the modifier, shows what it always shows.
+The terrain gets a modifier of geometry nodes that is off in renders, and takes the mesh of an object of ours
+that is in no scene. So the terrain object is what is seen, chosen, hidden, moved and parented, as before, in
+every scene that has it, while its own mesh stays as it is, and is what renders show, as always.
 """
 
 from __future__ import annotations
 
 import bpy
-from bpy.types import Mesh, NodeTree, Object
+from bpy.types import NodeTree, Object
 
 NAME = "Terrain Near the Hand"
 
@@ -21,37 +21,36 @@ def can_show_levels(terrain: Object) -> bool:
     return terrain.library is None and terrain.type == "MESH"
 
 
-def show_levels(terrain: Object, mesh: Mesh) -> Object:
+def show_levels(terrain: Object, mesh: bpy.types.Mesh) -> None:
     """Show a mesh in the place of the terrain's own, in object coordinates of the terrain."""
     put_away_levels()
     levels = bpy.data.objects.new(NAME, mesh)
     nodes = _nodes(levels)
-    for thing in (levels, mesh, nodes):
-        thing[MARK] = True
+    for ours in (levels, mesh, nodes):
+        ours[MARK] = True
     modifier = terrain.modifiers.new(NAME, "NODES")
     modifier.node_group = nodes
     modifier.show_render = modifier.show_in_editmode = modifier.show_expanded = False
     # The person's own modifiers go on with what is shown.
     terrain.modifiers.move(len(terrain.modifiers) - 1, 0)
-    return levels
 
 
-def shown_levels(terrain: Object) -> Object | None:
-    """The object that a terrain shows; ``None`` where something of it is gone, by a person's hand or an undo."""
+def shown_levels(terrain: Object) -> bpy.types.Mesh | None:
+    """The mesh that a terrain shows; ``None`` where some of it is gone, by a person's hand or an undo."""
     for modifier in terrain.modifiers:
         nodes = _marked_nodes(modifier)
         if nodes is None:
             continue
         source = nodes.nodes.get(NAME)
         levels = None if source is None else source.inputs["Object"].default_value
-        return levels if levels is not None and levels.type == "MESH" else None
+        return levels.data if levels is not None and levels.type == "MESH" else None
     return None
 
 
-def wear_materials(levels: Object, terrain: Object) -> None:
+def wear_materials(levels: bpy.types.Mesh, terrain: Object) -> None:
     """Give the levels the materials that the terrain has now."""
     wanted = [slot.material for slot in terrain.material_slots]
-    materials = levels.data.materials
+    materials = levels.materials
     if list(materials) != wanted:
         materials.clear()
         for material in wanted:
@@ -65,8 +64,7 @@ def put_away_levels() -> None:
             for modifier in [kept for kept in thing.modifiers if _marked_nodes(kept) is not None]:
                 thing.modifiers.remove(modifier)
     for things in (bpy.data.objects, bpy.data.meshes, bpy.data.node_groups):
-        for thing in [kept for kept in things if kept.library is None and kept.get(MARK)]:
-            things.remove(thing)
+        bpy.data.batch_remove([thing for thing in things if thing.library is None and thing.get(MARK)])
 
 
 def _marked_nodes(modifier: bpy.types.Modifier) -> NodeTree | None:
@@ -76,9 +74,9 @@ def _marked_nodes(modifier: bpy.types.Modifier) -> NodeTree | None:
 
 def _nodes(levels: Object) -> NodeTree:
     """Geometry nodes that give the geometry of an object, whatever they get."""
-    nodes = bpy.data.node_groups.new(NAME, "GeometryNodeTree")
-    nodes.interface.new_socket("Geometry", in_out="INPUT", socket_type="NodeSocketGeometry")
-    nodes.interface.new_socket("Geometry", in_out="OUTPUT", socket_type="NodeSocketGeometry")
+    nodes: NodeTree = bpy.data.node_groups.new(NAME, "GeometryNodeTree")  # type: ignore[assignment]
+    for way in ("INPUT", "OUTPUT"):
+        nodes.interface.new_socket("Geometry", in_out=way, socket_type="NodeSocketGeometry")  # type: ignore[arg-type]
     source = nodes.nodes.new("GeometryNodeObjectInfo")
     source.name = NAME
     source.inputs["Object"].default_value = levels

@@ -11,6 +11,7 @@ from ..formats import Georeference
 from ..terrain.frame import TerrainFrame
 from ..terrain.opened import OpenedGrids
 from ..terrain.preview import PreviewSurface
+from .detail import Detail
 from .handle import Handle
 from .placement import Placement
 from .recorder import Recorder
@@ -98,6 +99,8 @@ class Touch:
     passivity_control: bool = False
     """What the session was told last."""
     readout: Readout | None = None
+    detail: Detail | None = None
+    """What the views show in the place of the terrain's mesh; ``None`` where nobody looks."""
 
 
 @dataclass

@@ -22,6 +22,7 @@ from .follow_view import follow_view
 from .live import Readout, Touch, live
 from .model import keep_model
 from .placement import Placement
+from .show_detail import show_detail
 from .stop import collect_ticks, stop_touch
 from .windows import stretched
 
@@ -61,6 +62,7 @@ def tick() -> None:
     touch.readout = _readout(touch, state)
     if not live.rendering:
         follow_view(touch, scene, placement)
+        show_detail(touch, scene, terrain, placement, state)
         _show(touch, scene, placement, state)
         redraw(bpy.context)
 
@@ -80,7 +82,8 @@ def _keep_exaggeration(touch: Touch, placement: Placement) -> None:
 def _show(touch: Touch, scene: bpy.types.Scene, placement: Placement, state: State) -> None:
     """Move the cursor to the proxy."""
     east, north, up = state.proxy
-    height = touch.surface.height_at(touch.frame.on_map(east), north)
+    shown = touch.detail.surface if touch.detail is not None else None
+    height = (shown or touch.surface).height_at(touch.frame.on_map(east), north)
     place: Vector = placement.to_scene(east, north, lifted(up, height))
     size = SIZE * placement.longest_side(touch.grid.layout) * touch.view_scale
     turn = placement.upright(east, north)

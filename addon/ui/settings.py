@@ -80,6 +80,12 @@ class HapticTerrainSettings(bpy.types.PropertyGroup):
         description="The 3D views go along while the hand pans, zooms or turns",
         default=True,
     )
+    detail: bpy.props.BoolProperty(
+        name="Detail Follows",
+        description="While you touch, the 3D views show the ground finely around the hand and coarsely "
+        "far away; renders show the terrain's own mesh",
+        default=True,
+    )
     trail: bpy.props.BoolProperty(
         name="Trail",
         description="Draw a trail over the terrain, coloured by force, when a recording stops",

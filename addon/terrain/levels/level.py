@@ -45,7 +45,7 @@ class Level:
     step: int
     """Cells of the grid, a power of two."""
     columns: tuple[Interval, ...]
-    """One interval, or two where the rectangle goes across the seam of a map that wraps: the western first."""
+    """One interval, or two where the rectangle goes across a wrapping map's seam, the western first."""
     rows: Interval
 
     @property

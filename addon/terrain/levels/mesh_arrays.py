@@ -13,7 +13,7 @@ from proxygraph import GridLayout
 from ..frame import TerrainFrame
 from .level import Level, Mask
 from .nested_surface import NestedSurface
-from .samples import LevelSamples, SampleReader
+from .samples import SampleReader
 from .topology import Topology, topology
 
 Floats = npt.NDArray[np.float32]
@@ -49,18 +49,21 @@ def mesh_arrays(
     samples = reader.read(levels)
     connected = topology(levels)
     heights = _of_own(connected, [of_level.heights for of_level in samples])
-    columns = [np.broadcast_to(level.column_lines, own.shape) for level, own in _with_own(levels, connected)]
-    rows = [np.broadcast_to(level.row_lines[:, None], own.shape) for level, own in _with_own(levels, connected)]
+    owned = list(zip(levels, connected.own, strict=True))
+    columns = [np.broadcast_to(level.column_lines, own.shape) for level, own in owned]
+    rows = [np.broadcast_to(level.row_lines[:, None], own.shape) for level, own in owned]
     east = _of_own(connected, columns) * layout.cell_width
     north = _of_own(connected, rows) * -layout.cell_height
-    made_up = None if reader.raw is None else [_filled(of_level) for of_level in samples]
+    slopes = _of_own(connected, [of_level.slopes for of_level in samples])
+    filled = [of_level.filled for of_level in samples if of_level.filled is not None]
+    made_up = _of_own(connected, filled) if filled else None
     kept = _without_voids(connected, np.isfinite(heights))
     shown = frame.shown(east[kept.vertices], north[kept.vertices], heights[kept.vertices])
     return MeshArrays(
         positions=np.stack(shown, axis=-1).astype(np.float32),
         elevations=heights[kept.vertices].astype(np.float32),
-        slopes=_of_own(connected, [of_level.slopes for of_level in samples])[kept.vertices].astype(np.float32),
-        filled=None if made_up is None else _of_own(connected, made_up)[kept.vertices].astype(np.float32),
+        slopes=slopes[kept.vertices].astype(np.float32),
+        filled=None if made_up is None else made_up[kept.vertices].astype(np.float32),
         edges=kept.edges,
         triangles=kept.triangles,
         triangle_edges=kept.triangle_edges,
@@ -99,14 +102,6 @@ def _used(numbers: Integers, count: int) -> tuple[Mask, Integers]:
     return used, (np.cumsum(used) - 1).astype(np.int32)
 
 
-def _with_own(levels: Sequence[Level], connected: Topology) -> list[tuple[Level, Mask]]:
-    return list(zip(levels, connected.own, strict=True))
-
-
 def _of_own(connected: Topology, values: Sequence[npt.NDArray[Any]]) -> npt.NDArray[Any]:
     """Values of the vertices, in their order, from those of whole levels."""
     return np.concatenate([of_level[own] for of_level, own in zip(values, connected.own, strict=True)])
-
-
-def _filled(samples: LevelSamples) -> Mask:
-    return np.zeros(samples.heights.shape, dtype=bool) if samples.filled is None else samples.filled

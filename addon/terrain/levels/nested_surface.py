@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from proxygraph import GridLayout
 
 from .level import Level, Lines
-from .samples import LevelSamples, Numbers
+from .samples import LevelSamples
 
 Corner = tuple[float, float, float]
 """Column, row and height."""

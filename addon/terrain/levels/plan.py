@@ -1,4 +1,4 @@
-"""Which levels are shown: fine around a place, each next one twice as coarse and twice as wide, to the whole map.
+"""Which levels are shown: fine around a place, each next one twice as coarse and twice as wide.
 
 Levels lie on the grid's own columns and rows and move in steps of theirs, so that a sample that stays shown
 stays where it is; and each waits until the place is well away from its middle, so that a trembling hand
@@ -28,7 +28,7 @@ LEAST_VERTICES = 4
 """The corners of the map."""
 
 COMFORT = 0.8
-"""A coarser finest level must be fine enough by this factor before it is taken: zooming to and fro is quiet."""
+"""A coarser finest level must be fine enough by so much before it is taken: zooming to and fro is quiet."""
 
 
 @dataclass(frozen=True)
@@ -133,7 +133,7 @@ def _sized(extent: Extent, step: int, across: int) -> _Size:
         vertices += lines[0] * lines[1] - holes[0] * holes[1]
         if wide and tall:
             return _Size(tuple(levels), vertices)
-        # What the next level leaves out: less where it does not move with the hole and the map's edge cuts it.
+        # What the next level leaves out: less where it stays while the map's edge cuts this one.
         next_wide, next_tall = 2 * across * step >= last_column, 2 * along * step >= last_row
         holes = (
             _hole(-(-last_column // (2 * step)) if wide else None, across, cut=next_wide),
@@ -179,7 +179,7 @@ def _across(middle: int, cells: int, step: int, last: int, *, wraps: bool) -> tu
         return (_within(middle, cells, step, last),)
     first, end = middle - cells // 2 * step, middle + cells // 2 * step
     coarser = 2 * step
-    # One that ends at the seam goes a little beyond: on a globe both sides of the seam must have the same rows.
+    # One that ends at the seam goes a little beyond: on a globe both sides of it need the same rows.
     if first <= 0:
         west, east = end, (last + min(first, -1)) // coarser * coarser
     elif end >= last:

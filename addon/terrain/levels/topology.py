@@ -104,7 +104,7 @@ class _Builder:
         self.vertex_count = _number(here.vertices, own, self.vertex_count)
 
     def _number_edges(self, here: _Numbered, shown: Mask, splits: dict[str, _Split]) -> None:
-        """Number the edges of the cells that are shown, apart from those that the finer level has or splits."""
+        """Number the edges of the shown cells, apart from those that the finer level has or splits."""
         across = np.zeros(here.across.shape, dtype=bool)
         across[:-1] |= shown
         across[1:] |= shown
@@ -155,7 +155,7 @@ class _Builder:
     def _add_halves(self, cells: _Cells, side: str, split: _Split) -> None:
         """Add both halves of the triangles at a side that the finer level splits.
 
-        A triangle with the corners ``tip``, ``start`` and ``end``, counter-clockwise, is split between the last two.
+        A triangle ``tip``, ``start``, ``end``, counter-clockwise, is split between the last two.
         """
         row, column = split.row, split.column
         vertices, sides = cells.here.vertices, cells.sides(row, column)
@@ -236,10 +236,13 @@ def _numbers_of(finer: _Numbered | None, columns: Lines, rows: Lines) -> tuple[L
     if finer.level.gap is not None:
         same_column &= at_column[:-1] != finer.level.gap
     there = has_row[:, None] & same_column
-    across[there] = finer.across[at_row[:, None], np.minimum(at_column[:-1], finer.across.shape[1] - 1)][there]
+    across[there] = finer.across[at_row[:, None], np.minimum(at_column[:-1], finer.across.shape[1] - 1)][
+        there
+    ]
     same_row = has_row[:-1] & has_row[1:] & (at_row[1:] - at_row[:-1] == 1)
     there = same_row[:, None] & has_column
-    along[there] = finer.along[np.minimum(at_row[:-1], finer.along.shape[0] - 1)[:, None], at_column][there]
+    before = np.minimum(at_row[:-1], finer.along.shape[0] - 1)
+    along[there] = finer.along[before[:, None], at_column][there]
     return vertices, across, along
 
 
