@@ -61,10 +61,17 @@ def put_away_levels() -> None:
     """Show every terrain's own mesh again, and leave nothing behind; harmless where there is nothing."""
     for thing in bpy.data.objects:
         if thing.library is None:
-            for modifier in [kept for kept in thing.modifiers if _marked_nodes(kept) is not None]:
+            for modifier in [kept for kept in thing.modifiers if _is_ours(kept)]:
                 thing.modifiers.remove(modifier)
     for things in (bpy.data.objects, bpy.data.meshes, bpy.data.node_groups):
         bpy.data.batch_remove([thing for thing in things if thing.library is None and thing.get(MARK)])
+
+
+def _is_ours(modifier: bpy.types.Modifier) -> bool:
+    """Whether a modifier has our nodes, or had them before someone deleted those."""
+    if _marked_nodes(modifier) is not None:
+        return True
+    return modifier.type == "NODES" and modifier.node_group is None and modifier.name.startswith(NAME)
 
 
 def _marked_nodes(modifier: bpy.types.Modifier) -> NodeTree | None:

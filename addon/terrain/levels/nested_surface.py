@@ -55,8 +55,6 @@ class NestedSurface:
     ) -> float | None:
         """The height on a triangle, or on that half of it which has the place."""
         first, second, third = triangle
-        if not all(math.isfinite(height) for _column, _row, height in triangle):
-            return None
         if number > 0:
             # Both sides beside the diagonal end in the third corner; at most one of them is split.
             for tip, end in ((first, second), (second, first)):
