@@ -40,7 +40,7 @@ def touch(terrain: bpy.types.Object) -> Any:
     return touch
 
 
-def shown(touch: Any) -> bpy.types.Mesh:
+def shown(touch: Any) -> Any:
     """The mesh of the levels when all that is wanted is shown."""
     tick = module("touch.tick").tick
     for _ in range(3):
@@ -196,7 +196,7 @@ def test_a_mesh_that_a_person_changed_is_made_anew(touch: Any) -> None:
 
 def test_undo_in_mid_touch_changes_nothing_for_long(touch: Any) -> None:
     bpy.ops.ed.undo_push(message="with levels")
-    bpy.context.scene["thing"] = 1
+    bpy.data.objects.new("thing", None)
     bpy.ops.ed.undo_push(message="later")
     touch.session.set_window(Window(9e6, -2e6, 0.0, width=3e6, exaggeration=10.0))
     touch.session.step(50)
@@ -232,7 +232,7 @@ def test_a_file_saved_in_mid_touch_has_the_terrain_alone(touch: Any, tmp_path: P
 
 def test_a_file_written_past_the_handlers_is_mended_when_it_is_opened(touch: Any, tmp_path: Path) -> None:
     path = tmp_path / "recovered.blend"
-    bpy.data.libraries.write(str(path), {bpy.context.scene})
+    bpy.data.libraries.write(str(path), {bpy.data.scenes[0]})
     module("touch.stop").stop_touch()
     bpy.ops.wm.read_factory_settings(use_empty=True)
     module_of_addon()
