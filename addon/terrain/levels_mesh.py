@@ -19,6 +19,12 @@ def standing_mesh(name: str, room: Room) -> bpy.types.Mesh:
     return mesh
 
 
+def fits(mesh: bpy.types.Mesh, room: Room) -> bool:
+    """Whether a mesh is of that size, and has room for one refresh more."""
+    has_room = room.vertices <= len(mesh.vertices) < room.most_vertices
+    return has_room and len(mesh.edges) == room.edges and len(mesh.polygons) == room.triangles
+
+
 def refresh(mesh: bpy.types.Mesh, filling: Filling, room: Room) -> bool:
     """Write new content into a standing mesh.
 
@@ -26,14 +32,11 @@ def refresh(mesh: bpy.types.Mesh, filling: Filling, room: Room) -> bool:
     written; it forgets when a vertex is added, so each refresh adds one.
 
     Returns:
-        Whether that was possible: not where the mesh has no room left, or is not of this size any more.
+        Whether that was possible: not where the mesh does not fit.
     """
-    count = len(mesh.vertices) + 1
-    if not room.vertices < count <= room.most_vertices or (len(mesh.edges), len(mesh.polygons)) != (
-        room.edges,
-        room.triangles,
-    ):
+    if not fits(mesh, room):
         return False
+    count = len(mesh.vertices) + 1
     mesh.vertices.add(1)
     mesh.attributes["position"].data.foreach_set("vector", filling.positions[:count].ravel())
     mesh.attributes[".edge_verts"].data.foreach_set("value", filling.edges.ravel())

@@ -10,6 +10,9 @@ from __future__ import annotations
 import bpy
 from bpy.types import NodeTree, Object
 
+from .levels.standing import Room
+from .levels_mesh import fits, standing_mesh
+
 NAME = "Terrain Near the Hand"
 
 MARK = "haptic_terrain_levels"
@@ -23,11 +26,10 @@ def can_show_levels(terrain: Object) -> bool:
 
 def show_levels(terrain: Object, mesh: bpy.types.Mesh) -> None:
     """Show a mesh in the place of the terrain's own, in object coordinates of the terrain."""
-    put_away_levels()
+    put_away_levels(keep=mesh)
     levels = bpy.data.objects.new(NAME, mesh)
     nodes = _nodes(levels)
-    for ours in (levels, mesh, nodes):
-        ours[MARK] = True
+    levels[MARK] = nodes[MARK] = mesh[MARK] = True
     modifier = terrain.modifiers.new(NAME, "NODES")
     modifier.node_group = nodes
     modifier.show_render = modifier.show_in_editmode = modifier.show_expanded = False
@@ -47,6 +49,16 @@ def shown_levels(terrain: Object) -> bpy.types.Mesh | None:
     return None
 
 
+def mesh_for_levels(room: Room) -> bpy.types.Mesh:
+    """Find a mesh of that size that is not shown yet, or make it, which takes a tenth of a second."""
+    for mesh in bpy.data.meshes:
+        if mesh.library is None and mesh.get(MARK) and not mesh.users and fits(mesh, room):
+            return mesh
+    mesh = standing_mesh(NAME, room)
+    mesh[MARK] = True
+    return mesh
+
+
 def wear_materials(levels: bpy.types.Mesh, terrain: Object) -> None:
     """Give the levels the materials that the terrain has now."""
     wanted = [slot.material for slot in terrain.material_slots]
@@ -57,14 +69,16 @@ def wear_materials(levels: bpy.types.Mesh, terrain: Object) -> None:
             materials.append(material)
 
 
-def put_away_levels() -> None:
-    """Show every terrain's own mesh again, and leave nothing behind; harmless where there is nothing."""
+def put_away_levels(keep: bpy.types.Mesh | None = None) -> None:
+    """Show every terrain's own mesh again, and leave nothing but ``keep``; harmless where nothing is."""
     for thing in bpy.data.objects:
         if thing.library is None:
             for modifier in [kept for kept in thing.modifiers if _is_ours(kept)]:
                 thing.modifiers.remove(modifier)
     for things in (bpy.data.objects, bpy.data.meshes, bpy.data.node_groups):
-        bpy.data.batch_remove([thing for thing in things if thing.library is None and thing.get(MARK)])
+        bpy.data.batch_remove(
+            [thing for thing in things if thing.library is None and thing.get(MARK) and thing != keep]
+        )
 
 
 def _is_ours(modifier: bpy.types.Modifier) -> bool:

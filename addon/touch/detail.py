@@ -23,9 +23,17 @@ from ..terrain.levels.plan import Focus, Plan, plan_levels
 from ..terrain.levels.samples import SampleReader
 from ..terrain.levels.standing import Filling, Room, filling
 from ..terrain.levels.steering import Steering
-from ..terrain.levels_mesh import refresh, standing_mesh
-from ..terrain.levels_object import MARK, NAME, put_away_levels, show_levels, shown_levels, wear_materials
+from ..terrain.levels_mesh import refresh
+from ..terrain.levels_object import (
+    MARK,
+    mesh_for_levels,
+    put_away_levels,
+    show_levels,
+    shown_levels,
+    wear_materials,
+)
 from ..terrain.mesh import ELEVATION, FILLED, SLOPE
+from ..terrain.preview import VERTEX_BUDGET
 from .placement import Placement
 
 FINEST_PIXELS = 2.0
@@ -64,12 +72,13 @@ class Detail:
     _reader: SampleReader | None = None
     _work: Future[_Prepared] | None = None
     _shown: _Prepared | None = None
-    _stamp: int = 0
+    _stamp: int = field(default_factory=lambda: time.monotonic_ns() % 1_000_000_000)
     """Of the newest refresh; the mesh has it too, unless an undo brought an older one back."""
     _last_frame: float | None = None
 
     def __post_init__(self) -> None:
-        self.steering = Steering(self.kept.vertex_budget)
+        # A person may let the terrain's own mesh have more: it is not refreshed all the time.
+        self.steering = Steering(min(self.kept.vertex_budget, VERTEX_BUDGET))
         self._extent = Extent.of(self.grid.layout)
         self._pool = ThreadPoolExecutor(1, thread_name_prefix="terrain levels")
 
@@ -100,6 +109,8 @@ class Detail:
             return
         wanted = self._wanted(placement, east, north, pixels_per_unit)
         if self._shown is None or wanted != self._shown.wanted:
+            if self._shown is None or wanted.room != self._shown.wanted.room:
+                mesh_for_levels(wanted.room)  # now, not when there is more to do
             self._work = self._pool.submit(self._prepare, wanted)
 
     def tell_frame(self) -> None:
@@ -116,9 +127,9 @@ class Detail:
 
     def put_away(self) -> None:
         """Show the terrain's own mesh again."""
-        if self._shown is not None:
+        if self._shown is not None or self._work is not None:
             put_away_levels()
-        self._shown = self.surface = None
+        self._shown = self._work = self.surface = None
 
     def end(self) -> None:
         """Give up what is being prepared."""
@@ -176,7 +187,7 @@ class Detail:
         if levels is not None and refresh(levels, prepared.filling, room):
             self.steering.refresh(time.perf_counter() - begun)
         else:
-            levels = standing_mesh(NAME, room)
+            levels = mesh_for_levels(room)
             show_levels(terrain, levels)
             refresh(levels, prepared.filling, room)
         wear_materials(levels, terrain)

@@ -96,6 +96,35 @@ def test_renders_do_not_know_the_levels(touch: Any) -> None:
     assert not modifier.show_in_editmode
 
 
+def test_a_picture_rendered_in_mid_touch_is_the_same_without_levels(touch: Any) -> None:
+    scene = bpy.context.scene
+    scene.render.engine = "CYCLES"
+    scene.cycles.samples = 1
+    scene.render.resolution_x, scene.render.resolution_y = 64, 32
+    camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
+    camera.location = (0.0, 0.0, 14.0)
+    scene.collection.objects.link(camera)
+    scene.camera = camera
+    scene.world = bpy.data.worlds.new("world")
+    scene.render.image_settings.file_format = "OPEN_EXR"
+    scene.render.film_transparent = True
+
+    def picture(name: str) -> Any:
+        scene.render.filepath = str(Path(bpy.app.tempdir) / name)
+        bpy.ops.render.render(write_still=True)
+        image = bpy.data.images.load(bpy.path.ensure_ext(scene.render.filepath, ".exr"))
+        return np.array(image.pixels[:])
+
+    with_levels = picture("with")
+    assert leftovers() != []
+    scene.haptic_terrain.detail = False
+    module("touch.tick").tick()
+    assert leftovers() == []
+    without = picture("without")
+    assert np.ptp(without) > 0.0
+    assert (with_levels == without).all()
+
+
 def test_shading_is_that_of_a_new_mesh_after_every_refresh(touch: Any) -> None:
     terrain = touch.terrain.find()
     normals(evaluated(terrain).data)

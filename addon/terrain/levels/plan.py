@@ -7,7 +7,7 @@ moves nothing (F. Losasso and H. Hoppe, "Geometry clipmaps", SIGGRAPH 2004, has 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import lru_cache
 
 from .level import Extent, Interval, Level
@@ -47,7 +47,7 @@ class Plan:
     """Levels from the finest to the whole map."""
 
     levels: tuple[Level, ...]
-    middles: dict[int, tuple[int, int]]
+    middles: dict[int, tuple[int, int]] = field(compare=False)
     """Column and row that each level is laid around, by its step; the last level is the whole map."""
 
 

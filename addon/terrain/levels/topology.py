@@ -48,9 +48,9 @@ def topology(levels: Sequence[Level]) -> Topology:
         finer = builder.add(level, finer)
     return Topology(
         tuple(builder.own),
-        np.concatenate(builder.edges).astype(np.int32),
-        np.concatenate(builder.triangles).astype(np.int32),
-        np.concatenate(builder.triangle_edges).astype(np.int32),
+        np.concatenate(builder.edges),
+        np.concatenate(builder.triangles),
+        np.concatenate(builder.triangle_edges),
     )
 
 
@@ -61,20 +61,20 @@ class _Numbered:
     level: Level
     columns: Lines
     rows: Lines
-    vertices: Lines
+    vertices: Numbers
     """Rows x columns."""
-    across: Lines
+    across: Numbers
     """Edges to the next column, rows x cells."""
-    along: Lines
+    along: Numbers
     """Edges to the next row, cells x columns."""
 
 
 @dataclass
 class _Builder:
     own: list[Mask] = field(default_factory=list)
-    edges: list[Lines] = field(default_factory=list)
-    triangles: list[Lines] = field(default_factory=list)
-    triangle_edges: list[Lines] = field(default_factory=list)
+    edges: list[Numbers] = field(default_factory=list)
+    triangles: list[Numbers] = field(default_factory=list)
+    triangle_edges: list[Numbers] = field(default_factory=list)
     vertex_count: int = 0
     edge_count: int = 0
 
@@ -124,49 +124,76 @@ class _Builder:
             self.edge_count = _number(numbers, mask, self.edge_count)
             self.edges.append(np.stack((ends[0][mask], ends[1][mask]), axis=-1))
 
-    def _new_edges(self, first: Lines, second: Lines) -> Lines:
-        numbers = np.arange(self.edge_count, self.edge_count + len(first))
+    def _new_edges(self, first: Numbers, second: Numbers) -> Numbers:
+        numbers = np.arange(self.edge_count, self.edge_count + len(first), dtype=np.int32)
         self.edge_count += len(first)
         self.edges.append(np.stack((first, second), axis=-1))
         return numbers
 
     def _add_triangles(self, here: _Numbered, shown: Mask, splits: dict[str, _Split]) -> None:
-        row, column = np.nonzero(shown)
-        north_west, north_east = here.vertices[row, column], here.vertices[row, column + 1]
-        south_west, south_east = here.vertices[row + 1, column], here.vertices[row + 1, column + 1]
-        diagonal = np.full(shown.shape, -1)
-        diagonal[row, column] = self._new_edges(north_west, south_east)
-        cells = _Cells(here, diagonal)
-        whole = {"south": np.ones(len(row), dtype=bool), "north": np.ones(len(row), dtype=bool)}
+        corners, sides = _corners(here.vertices), _sides(here, np.full(shown.shape, -1, dtype=np.int32))
+        sides.diagonal[shown] = self._new_edges(corners.north_west[shown], corners.south_east[shown])
+        south, north = shown.copy(), shown.copy()
         for side, split in splits.items():
-            is_split = np.zeros(shown.shape, dtype=bool)
-            is_split[split.row, split.column] = True
-            whole["south" if side in ("west", "south") else "north"] &= ~is_split[row, column]
-            self._add_halves(cells, side, split)
-        sides = cells.sides(row, column)
-        for triangle, corners, edges in (
-            ("south", (north_west, south_west, south_east), (sides.west, sides.south, sides.diagonal)),
-            ("north", (north_west, south_east, north_east), (sides.diagonal, sides.east, sides.north)),
-        ):
-            kept = whole[triangle]
-            self.triangles.append(np.stack(corners, axis=-1)[kept])
-            self.triangle_edges.append(np.stack(edges, axis=-1)[kept])
+            (south if side in ("west", "south") else north)[split.row, split.column] = False
+            self._add_halves(corners, sides, side, split)
+        self._add(
+            south,
+            (corners.north_west, corners.south_west, corners.south_east),
+            (sides.west, sides.south, sides.diagonal),
+        )
+        self._add(
+            north,
+            (corners.north_west, corners.south_east, corners.north_east),
+            (sides.diagonal, sides.east, sides.north),
+        )
 
-    def _add_halves(self, cells: _Cells, side: str, split: _Split) -> None:
+    def _add(
+        self, cells: Mask, corners: tuple[Numbers, Numbers, Numbers], sides: tuple[Numbers, Numbers, Numbers]
+    ) -> None:
+        """Add a triangle of each cell that is masked."""
+        self.triangles.append(np.stack([of_cells[cells] for of_cells in corners], axis=-1))
+        self.triangle_edges.append(np.stack([of_cells[cells] for of_cells in sides], axis=-1))
+
+    def _add_halves(self, corners: _Corners, sides: _Sides, side: str, split: _Split) -> None:
         """Add both halves of the triangles at a side that the finer level splits.
 
         A triangle ``tip``, ``start``, ``end``, counter-clockwise, is split between the last two.
         """
-        row, column = split.row, split.column
-        vertices, sides = cells.here.vertices, cells.sides(row, column)
-        north_west, north_east = vertices[row, column], vertices[row, column + 1]
-        south_west, south_east = vertices[row + 1, column], vertices[row + 1, column + 1]
-        tip, start, end, to_start, from_end = {
-            "west": (south_east, north_west, south_west, sides.diagonal, sides.south),
-            "south": (north_west, south_west, south_east, sides.west, sides.diagonal),
-            "east": (north_west, south_east, north_east, sides.diagonal, sides.north),
-            "north": (south_east, north_east, north_west, sides.east, sides.diagonal),
-        }[side]
+        at = split.row, split.column
+        tip, start, end, to_start, from_end = (
+            of_cells[at]
+            for of_cells in {
+                "west": (
+                    corners.south_east,
+                    corners.north_west,
+                    corners.south_west,
+                    sides.diagonal,
+                    sides.south,
+                ),
+                "south": (
+                    corners.north_west,
+                    corners.south_west,
+                    corners.south_east,
+                    sides.west,
+                    sides.diagonal,
+                ),
+                "east": (
+                    corners.north_west,
+                    corners.south_east,
+                    corners.north_east,
+                    sides.diagonal,
+                    sides.north,
+                ),
+                "north": (
+                    corners.south_east,
+                    corners.north_east,
+                    corners.north_west,
+                    sides.east,
+                    sides.diagonal,
+                ),
+            }[side]
+        )
         # Halves are in the order of columns and rows, which is the other way round on two sides.
         first, second = split.halves if side in ("west", "south") else split.halves[::-1]
         between = self._new_edges(tip, split.middle)
@@ -186,45 +213,46 @@ class _Split:
 
     row: Lines
     column: Lines
-    middle: Lines
+    middle: Numbers
     """Vertices."""
-    halves: tuple[Lines, Lines]
+    halves: tuple[Numbers, Numbers]
     """Edges of the finer level, the western or northern first."""
 
 
 @dataclass(frozen=True)
-class _Sides:
-    """Edges of cells."""
+class _Corners:
+    """Vertices of cells, rows x columns."""
 
-    north: Lines
-    south: Lines
-    west: Lines
-    east: Lines
-    diagonal: Lines
+    north_west: Numbers
+    north_east: Numbers
+    south_west: Numbers
+    south_east: Numbers
 
 
 @dataclass(frozen=True)
-class _Cells:
-    here: _Numbered
-    diagonal: Lines
+class _Sides:
+    """Edges of cells, rows x columns; -1 where one is split."""
 
-    def sides(self, row: Lines, column: Lines) -> _Sides:
-        """The edges of some cells; -1 where one is split."""
-        across, along = self.here.across, self.here.along
-        return _Sides(
-            north=across[row, column],
-            south=across[row + 1, column],
-            west=along[row, column],
-            east=along[row, column + 1],
-            diagonal=self.diagonal[row, column],
-        )
+    north: Numbers
+    south: Numbers
+    west: Numbers
+    east: Numbers
+    diagonal: Numbers
 
 
-def _numbers_of(finer: _Numbered | None, columns: Lines, rows: Lines) -> tuple[Lines, Lines, Lines]:
+def _corners(vertices: Numbers) -> _Corners:
+    return _Corners(vertices[:-1, :-1], vertices[:-1, 1:], vertices[1:, :-1], vertices[1:, 1:])
+
+
+def _sides(here: _Numbered, diagonal: Numbers) -> _Sides:
+    return _Sides(here.across[:-1], here.across[1:], here.along[:, :-1], here.along[:, 1:], diagonal)
+
+
+def _numbers_of(finer: _Numbered | None, columns: Lines, rows: Lines) -> tuple[Numbers, Numbers, Numbers]:
     """Numbers that the finer level gave to vertices and edges of these lines; -1 for all others."""
-    vertices = np.full((len(rows), len(columns)), -1)
-    across = np.full((len(rows), len(columns) - 1), -1)
-    along = np.full((len(rows) - 1, len(columns)), -1)
+    vertices = np.full((len(rows), len(columns)), -1, dtype=np.int32)
+    across = np.full((len(rows), len(columns) - 1), -1, dtype=np.int32)
+    along = np.full((len(rows) - 1, len(columns)), -1, dtype=np.int32)
     if finer is None:
         return vertices, across, along
     at_column, has_column = _places(finer.columns, columns)
@@ -283,14 +311,14 @@ _NEIGHBOURS = {
 """Cells that have a neighbour at a side, and those neighbours."""
 
 
-def _places(lines: Lines, wanted: Lines) -> tuple[Lines, Mask]:
+def _places(lines: Lines, wanted: Lines) -> tuple[npt.NDArray[np.intp], Mask]:
     """Where wanted lines are among these, and whether they are."""
     places = np.minimum(np.searchsorted(lines, wanted), len(lines) - 1)
     return places, lines[places] == wanted
 
 
-def _number(numbers: Lines, mask: Mask, first: int) -> int:
+def _number(numbers: Numbers, mask: Mask, first: int) -> int:
     """Give the masked ones the next numbers; what comes after them is returned."""
     count = int(np.count_nonzero(mask))
-    numbers[mask] = np.arange(first, first + count)
+    numbers[mask] = np.arange(first, first + count, dtype=np.int32)
     return first + count
