@@ -113,7 +113,9 @@ def test_a_picture_rendered_in_mid_touch_is_the_same_without_levels(touch: Any) 
         scene.render.filepath = str(Path(bpy.app.tempdir) / name)
         bpy.ops.render.render(write_still=True)
         image = bpy.data.images.load(bpy.path.ensure_ext(scene.render.filepath, ".exr"))
-        return np.array(image.pixels[:])
+        pixels = np.empty(64 * 32 * 4, dtype=np.float32)
+        image.pixels.foreach_get(pixels)
+        return pixels
 
     with_levels = picture("with")
     assert leftovers() != []

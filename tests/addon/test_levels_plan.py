@@ -57,6 +57,12 @@ def test_finest_cells_are_as_fine_as_asked_or_the_grids_own() -> None:
         assert plan_levels(PLANET, Focus(100.0, 100.0, cells), 100_000).levels[0].step == step
 
 
+def test_a_map_seen_from_very_far_is_its_corners() -> None:
+    for cells in (1e6, 1e300, float("inf")):
+        plan = plan_levels(PLANET, Focus(100.0, 100.0, cells), 100_000)
+        assert topology(plan.levels).vertices <= 9
+
+
 def test_small_budgets_make_the_finest_level_coarser() -> None:
     plan = plan_levels(PLANET, Focus(100.0, 100.0, 1.0), 2000)
     assert plan.levels[0].step > 1

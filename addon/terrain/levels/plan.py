@@ -58,9 +58,10 @@ def plan_levels(extent: Extent, focus: Focus, budget: int, previous: Plan | None
         budget: vertices that are never exceeded, unless there are fewer than the map has corners.
         previous: what is shown now, of which as much as can be stays.
     """
-    step = _finest_step(focus.cells, previous.levels[0].step if previous is not None else None)
-    size = _size(extent, step, budget)
     last_column, last_row = extent.last_column, extent.last_row
+    cells = min(focus.cells, float(max(last_column, last_row)))
+    step = _finest_step(cells, None if previous is None else previous.levels[0].step)
+    size = _size(extent, step, budget)
     column = focus.column % last_column if extent.wraps else min(max(focus.column, 0.0), last_column)
     row = min(max(focus.row, 0.0), last_row)
     levels: list[Level] = []
