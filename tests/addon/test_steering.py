@@ -32,6 +32,13 @@ def test_slow_frames_halve_the_vertices_until_they_are_quick_enough() -> None:
     assert 0.2 * steering.budget / MOST <= SLOW
 
 
+def test_very_slow_frames_are_not_borne_for_long() -> None:
+    steering = Steering(MOST)
+    for _ in range(7):
+        steering.frame(1.5)
+    assert steering.budget == MOST // 2
+
+
 def test_a_few_slow_frames_change_nothing() -> None:
     steering = Steering(MOST)
     for number in range(20 * LOOK):

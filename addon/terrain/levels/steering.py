@@ -20,14 +20,17 @@ QUICK = 1.0 / 45.0
 SLOW_REFRESH, QUICK_REFRESH = 0.012, 0.005
 """The same of a refresh: not even the slowest in a hundred is to hold Blender up for more than 16 ms."""
 
-PAUSE = 1.0
+PAUSE = 5.0
 """Seconds from frame to frame that are no frame: a dialog, a render, a computer that slept."""
 
 FEWEST = 15_000
 """Vertices: with fewer the levels have hardly any place to be fine in."""
 
 LOOK = 24
-"""Frames that are looked at together."""
+"""Frames that are looked at together at most."""
+
+FEW, LONG = 6, 2.0
+"""So many frames are enough where they take so many seconds: very slow ones are not borne for long."""
 
 LOOK_REFRESHES = 6
 """Refreshes that are looked at together."""
@@ -74,7 +77,8 @@ class Steering:
         self._frames.append(seconds)
         self._rest = max(self._rest - seconds, 0.0)
         self._quick = self._quick + seconds if seconds <= QUICK else 0.0
-        if len(self._frames) < LOOK:
+        seen = len(self._frames)
+        if seen < LOOK and not (seen >= FEW and sum(self._frames) >= LONG):
             return
         typical = median(self._frames)
         if self._before is not None:
