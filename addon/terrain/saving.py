@@ -8,6 +8,7 @@ import bpy
 from bpy.app.handlers import persistent
 
 from .kept import remember_places
+from .levels_object import put_away_levels
 
 
 def register() -> None:
@@ -23,5 +24,6 @@ def unregister() -> None:
 
 @persistent  # type: ignore[untyped-decorator]
 def _before_save(path: str, *_arguments: object) -> None:
+    put_away_levels()  # touch shows them again; a file has the terrain's own mesh
     if path:  # the start-up file has none
         remember_places(Path(path))

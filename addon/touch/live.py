@@ -13,6 +13,7 @@ from ..formats import Georeference
 from ..terrain.frame import TerrainFrame
 from ..terrain.opened import OpenedGrids
 from ..terrain.preview import PreviewSurface
+from .detail import Detail
 from .handle import Handle
 from .placement import Placement
 from .recorder import Recorder
@@ -102,6 +103,8 @@ class Touch:
     pre_roll: float = 0.0
     """The same, seconds."""
     readout: Readout | None = None
+    detail: Detail | None = None
+    """What the views show in the place of the terrain's mesh; ``None`` where nobody looks."""
 
 
 @dataclass(frozen=True)

@@ -6,6 +6,7 @@ import logging
 
 import bpy
 
+from ..terrain.levels_object import put_away_levels
 from ..terrain.view import redraw
 from .live import Touch, live
 
@@ -24,10 +25,19 @@ def stop_touch(message: str = "") -> None:
     touch.session.stop()
     note_model(touch)
     live.touch = None
+    if touch.detail is not None:
+        touch.detail.end()
+        clear_levels()
     if message:
         live.message = message
         log.warning(message)
     redraw(bpy.context)
+
+
+def clear_levels() -> None:
+    """Take away what the views showed of a touch that has ended; not while a picture is rendered."""
+    if live.touch is None and not live.rendering:
+        put_away_levels()
 
 
 def note_model(touch: Touch) -> None:

@@ -23,6 +23,7 @@ from .live import Readout, Touch, live
 from .model import keep_model
 from .placement import Placement
 from .pre_roll import keep_pre_roll
+from .show_detail import show_detail
 from .stop import note_model, stop_touch
 from .windows import stretched
 
@@ -63,6 +64,7 @@ def tick() -> None:
     touch.readout = _readout(touch, state)
     if not live.rendering:
         follow_view(touch, scene, placement)
+        show_detail(touch, scene, terrain, placement, state)
         _show(touch, scene, placement, state)
         redraw(bpy.context)
 
@@ -82,7 +84,8 @@ def _keep_exaggeration(touch: Touch, placement: Placement) -> None:
 def _show(touch: Touch, scene: bpy.types.Scene, placement: Placement, state: State) -> None:
     """Move the cursor to the proxy."""
     east, north, up = state.proxy
-    height = touch.surface.height_at(touch.frame.on_map(east), north)
+    shown = touch.detail.surface if touch.detail is not None else None
+    height = (shown or touch.surface).height_at(touch.frame.on_map(east), north)
     place: Vector = placement.to_scene(east, north, lifted(up, height))
     size = SIZE * placement.longest_side(touch.grid.layout) * touch.view_scale
     turn = placement.upright(east, north)

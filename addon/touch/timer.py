@@ -10,7 +10,7 @@ import bpy
 from bpy.app.handlers import persistent
 
 from .live import Recording, live
-from .stop import stop_touch
+from .stop import clear_levels, stop_touch
 from .tick import tick
 
 SECONDS = 1.0 / 60.0
@@ -91,12 +91,22 @@ def _render_begins(*_arguments: object) -> None:
 @persistent  # type: ignore[untyped-decorator]
 def _render_ends(*_arguments: object) -> None:
     live.rendering = False
+    clear_levels()
+
+
+@persistent  # type: ignore[untyped-decorator]
+def _state_returns(*_arguments: object) -> None:
+    """An undo, or a file that was saved on its own in mid-touch, brings back what was shown then."""
+    clear_levels()
 
 
 def _handlers() -> list[tuple[list[Any], Callable[..., None]]]:
     handlers = bpy.app.handlers
     return [
         (handlers.load_pre, _before_load),
+        (handlers.load_post, _state_returns),
+        (handlers.undo_post, _state_returns),
+        (handlers.redo_post, _state_returns),
         (handlers.render_init, _render_begins),
         (handlers.render_complete, _render_ends),
         (handlers.render_cancel, _render_ends),

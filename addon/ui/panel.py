@@ -92,6 +92,8 @@ class HAPTIC_TERRAIN_PT_touch(bpy.types.Panel):
         layout.operator(HAPTIC_TERRAIN_OT_touch_stop.bl_idname, icon="SNAP_FACE")
         draw_stylus(layout, live.touch)
         _draw_model(layout, live.touch.scene.find())
+        if live.touch.detail is not None and live.touch.detail.words is not None:
+            draw_lines(layout, [("Shown", live.touch.detail.words)])
         if live.touch.target is not None and live.touch.target.find() is None:
             draw_message(layout, "The Touch Target is gone: stop touch and start it again.")
         if live.touch.readout is not None:

@@ -95,6 +95,12 @@ class HapticTerrainSettings(bpy.types.PropertyGroup):
         precision=0,
         update=_switch,
     )
+    detail: bpy.props.BoolProperty(
+        name="Detail Follows",
+        description="While you touch, the 3D views show the ground finely around the hand and coarsely "
+        "far away; renders show the terrain's own mesh",
+        default=True,
+    )
     trail: bpy.props.BoolProperty(
         name="Trail",
         description="Draw trails over the terrain when a recording stops",

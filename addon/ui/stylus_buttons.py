@@ -22,6 +22,7 @@ def draw_stylus(layout: Any, touch: Touch) -> None:
     scene = touch.scene.find()
     if scene is not None:
         layout.prop(scene.haptic_terrain, "follow_view")
+        layout.prop(scene.haptic_terrain, "detail")
     if not touch.is_pressed:
         layout.operator(HAPTIC_TERRAIN_OT_press.bl_idname, icon="VIEW_PAN")
         return

@@ -1,0 +1,1 @@
+"""Nested levels of a grid around a place, fine there and coarser outward; without Blender."""
