@@ -51,6 +51,23 @@ class Placement:
         return self.frame.exaggeration * stretched
 
     @property
+    def is_mirrored(self) -> bool:
+        """Whether left and right are exchanged."""
+        return self.matrix.determinant() < 0.0
+
+    @property
+    def shear(self) -> float:
+        """How far the object's axes are from standing upright on each other: 0, or up to 1 where two coincide."""
+        axes = self.matrix.to_3x3().normalized().col
+        return max(abs(axes[one].dot(axes[other])) for one, other in ((0, 1), (1, 2), (2, 0)))
+
+    @property
+    def unevenness(self) -> float:
+        """How much longer the object's y is than its x, as a share; below 0 where it is shorter."""
+        axes = self.matrix.to_3x3().col
+        return axes[1].length / axes[0].length - 1.0
+
+    @property
     def rotation(self) -> Quaternion:
         """How the object is turned. A mirrored one is taken unmirrored: its up stays up."""
         axes = self.matrix.to_3x3().normalized()

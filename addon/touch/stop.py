@@ -7,6 +7,7 @@ import logging
 import bpy
 
 from ..terrain.view import redraw
+from .follow_view import give_back_views
 from .live import Touch, live
 
 log = logging.getLogger(__name__)
@@ -23,6 +24,7 @@ def stop_touch(message: str = "") -> None:
         return
     touch.session.stop()
     collect_ticks(touch)
+    give_back_views(touch)
     live.touch = None
     if message:
         live.message = message

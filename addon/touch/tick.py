@@ -21,7 +21,9 @@ from .follow import carry_target, follow_target, lay_window
 from .follow_view import follow_view
 from .live import Readout, Touch, live
 from .model import keep_model
+from .mouse import keep_mouse
 from .placement import Placement
+from .shortcomings import shortcomings
 from .stop import collect_ticks, stop_touch
 from .windows import stretched
 
@@ -57,7 +59,9 @@ def tick() -> None:
         if state.mode == "normal":  # what is held in pan and zoom must not be torn away
             carry_target(touch, placement)
             _keep_exaggeration(touch, placement)
+        keep_mouse(touch, state)
         follow_target(touch, placement)
+    touch.shortcomings = shortcomings(terrain, scene, placement)
     touch.readout = _readout(touch, state)
     if not live.rendering:
         follow_view(touch, scene, placement)

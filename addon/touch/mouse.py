@@ -1,0 +1,91 @@
+"""The mouse takes the simulated hand from the Empty, and gives it back."""
+
+from __future__ import annotations
+
+from contextlib import suppress
+
+from proxygraph import SessionError, State
+
+from .live import Touch, live
+from .mouse_hand import MouseHand
+from .placement import Placement
+from .stylus import press, release, turn_handle
+from .target import place_target
+from .workspace import from_workspace, to_workspace
+
+ABOVE = 0.005
+"""Workspace metres above the ground where a hand begins that no Empty leads."""
+
+
+def take_hand(touch: Touch) -> MouseHand:
+    """Let the mouse lead the hand, from where it is now."""
+    state = touch.session.state()
+    touch.mouse = MouseHand(goal=state.hand, pulled=state.hand, pulled_at=state.time)
+    return touch.mouse
+
+
+def give_back_hand(touch: Touch) -> None:
+    """Let the Empty lead again: it is brought to the hand, so that the hand stays."""
+    let_go(touch)
+    touch.mouse = None
+    empty = touch.target.find() if touch.target is not None else None
+    terrain = touch.terrain.find()
+    if empty is None or terrain is None or live.rendering:
+        return
+    window = touch.session.window
+    placement = Placement.of(terrain, touch.frame)
+    if placement.is_usable:
+        there = from_workspace(touch.session.state().hand, window, touch.workspace[0])
+        place_target(empty, placement.to_scene(*there))
+        touch.target_window = window
+
+
+def keep_mouse(touch: Touch, state: State) -> None:
+    """Lead the hand on to where the mouse wants it.
+
+    Raises:
+        SessionError: too many commands wait already.
+    """
+    mouse = touch.mouse
+    if mouse is None:
+        return
+    mouse.unheard += 1
+    if mouse.is_deaf:
+        mouse.stay()
+    if mouse.is_deaf or mouse.lets_go:
+        let_go(touch)
+    mouse.keep_within(touch.workspace, _ground(touch, mouse))
+    turned = mouse.come(state.time)
+    if turned:
+        turn_handle(touch, turned)
+
+
+def grab(touch: Touch) -> None:
+    """Press the stylus button for the mouse, unless it is down already.
+
+    Raises:
+        SessionError: too many commands wait already.
+    """
+    if touch.mouse is not None and not touch.is_pressed:
+        press(touch)
+        touch.mouse.holds_button, touch.mouse.lets_go = True, False
+
+
+def let_go(touch: Touch) -> None:
+    """Release the stylus button, where the mouse has pressed it; a servo that is busy is told again later."""
+    mouse = touch.mouse
+    if mouse is None or not mouse.holds_button:
+        return
+    mouse.lets_go = True
+    with suppress(SessionError):
+        if touch.is_pressed:  # nobody else has released it
+            release(touch)
+        mouse.holds_button = mouse.lets_go = False
+
+
+def _ground(touch: Touch, mouse: MouseHand) -> float | None:
+    """Workspace metres up where the ground is under the goal."""
+    window, width = touch.session.window, touch.workspace[0]
+    east, north, _up = from_workspace(mouse.goal, window, width)
+    up = touch.grid.elevation_at(touch.frame.on_map(east), north)
+    return None if up is None else to_workspace((east, north, up), window, width)[2]
