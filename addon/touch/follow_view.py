@@ -1,11 +1,13 @@
 """The 3D views follow the window that pan and zoom move, so that it looks as if the terrain moved.
 
-Every view of the scene follows: perspective, orthographic, each of a quad view's. A view through a camera stays,
-for the camera is the scene's; where a person has locked it to the view (*Lock Camera to View*), it is what they
-move with the view, and it goes along.
+Every view of the scene follows: perspective, orthographic, each of a quad view's. A view through a camera
+stays, for the camera is the scene's; where a person has locked it to the view (*Lock Camera to View*), it is
+what they move with the view, and it goes along.
 """
 
 from __future__ import annotations
+
+from typing import cast
 
 import bpy
 from mathutils import Matrix, Quaternion
@@ -43,7 +45,7 @@ def follow_view(touch: Touch, scene: bpy.types.Scene, placement: Placement) -> N
             elif space.lock_camera:
                 cameras.add(space.camera if space.use_local_camera else scene.camera)
         if distances:
-            _show_near(touch, space, NEAREST * min(distances))
+            _show_near(touch, cast("bpy.types.SpaceView3D", space), NEAREST * min(distances))
     for camera in cameras:
         if camera is not None:
             move_camera(camera, old, new)
@@ -71,7 +73,7 @@ def move_camera(camera: bpy.types.Object, old: Matrix, new: Matrix) -> None:
     """
     kept = camera.matrix_world.to_scale()
     location, rotation, scale = (new @ old.inverted() @ camera.matrix_world).decompose()
-    camera.matrix_world = Matrix.LocRotScale(location, rotation, kept)
+    camera.matrix_world = Matrix.LocRotScale(location[:], rotation, kept[:])
     if camera.type == "CAMERA" and camera.data.type == "ORTHO":
         camera.data.ortho_scale *= scale.x / kept.x
 

@@ -11,8 +11,8 @@ from .pointer_view import Pixel
 from .workspace import within_reach
 
 CATCH_UP = 300.0
-"""Pixels of the mouse's way in which a hand that is not under the pointer comes 1/e nearer to it. Ours: after the
-view was turned, or the pointer was elsewhere, the hand neither jumps nor stays away."""
+"""Pixels of the mouse's way in which the distance of a hand that is not under the pointer falls to 1/e. Ours:
+after the view was turned, or the pointer was elsewhere, the hand neither jumps nor stays away."""
 
 SPEED = 0.5
 """Workspace metres a second: a brisk hand. A pointer can jump, a hand cannot."""
@@ -21,8 +21,8 @@ NOTCH = 0.002
 """Workspace metres for a notch of the wheel: on flat ground 0.4 N more, as the simulated hand's muscle is."""
 
 PRESS = 0.03
-"""Workspace metres under the ground that the hand is pulled to at most: there it pushes with nearly 6 N. Steep
-ground lifts a hand that goes on, for a mouse is not held back by it as an arm is."""
+"""Workspace metres under the ground that the hand is pulled to at most: there it pushes with nearly 6 N.
+Steep ground lifts a hand that goes on, for a mouse is not held back by it as an arm is."""
 
 TURNING = math.radians(180.0)
 """Radians a second that the handle turns: a twist is seen, and is no jerk."""
@@ -70,8 +70,8 @@ class MouseHand:
         """Move the hand as the pointer moved since it was seen last.
 
         Args:
-            catches_up: whether a hand that is not under the pointer comes nearer to it: not where it moves what
-                the pointer points at.
+            catches_up: whether a hand that is not under the pointer comes nearer to it: not where it moves
+                what the pointer points at.
         """
         before, self.pointer = self.pointer, pointer
         if before is None:

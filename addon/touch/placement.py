@@ -57,15 +57,21 @@ class Placement:
 
     @property
     def shear(self) -> float:
-        """How far the object's axes are from standing upright on each other: 0, or up to 1 where two coincide."""
-        axes = self.matrix.to_3x3().normalized().col
-        return max(abs(axes[one].dot(axes[other])) for one, other in ((0, 1), (1, 2), (2, 0)))
+        """How far the object's axes are from right angles: 0, or up to 1 where two of them coincide."""
+        x, y, z = self._axes
+        return max(abs(one.normalized().dot(other.normalized())) for one, other in ((x, y), (y, z), (z, x)))
 
     @property
     def unevenness(self) -> float:
         """How much longer the object's y is than its x, as a share; below 0 where it is shorter."""
-        axes = self.matrix.to_3x3().col
-        return axes[1].length / axes[0].length - 1.0
+        x, y, _z = self._axes
+        return float(y.length / x.length) - 1.0
+
+    @property
+    def _axes(self) -> tuple[Vector, Vector, Vector]:
+        """The object's own, in the scene."""
+        turned = self.matrix.to_3x3().transposed()
+        return turned[0], turned[1], turned[2]
 
     @property
     def rotation(self) -> Quaternion:

@@ -2,8 +2,8 @@
 
 A pointer has two directions and a hand three. The pointer moves the hand over a surface through where it is:
 
-* where the view looks down on the ground, at the hand's height. The hand stays under the pointer, as the mouse
-  is pushed over a table;
+* where the view looks down on the ground, at the hand's height. The hand stays under the pointer, as the
+  mouse is pushed over a table;
 * where the view looks along the ground, upright, facing the view: then up on the screen is up.
 
 The third direction, up or away, is that of the wheel.
@@ -22,7 +22,8 @@ from .pointer_view import Numbers, Pixel, PointerView, Ray
 from .workspace import from_workspace, nearest_turn, to_workspace, within_reach
 
 LOOKS_DOWN = math.sin(math.radians(20.0))
-"""Of the view's slope. Ours: where ground is seen flatter than this, a pixel away is three metres for each beside."""
+"""Of the view's slope. Ours: where ground is seen flatter than this, a pixel up the screen goes three times
+as far as one beside."""
 
 
 @dataclass(frozen=True)
@@ -51,7 +52,7 @@ class PointerMap:
         return self._hand_at(self._facing(ray, here), hand)
 
     def outward(self, hand: Point) -> Point:
-        """The direction that no pointer has: up, or along the ground away from whoever looks; a unit vector."""
+        """The direction that no pointer has, of length 1: up, or along the ground away from whoever looks."""
         here = self._shown(hand)
         if self._looks_down(here):
             return 0.0, 0.0, 1.0

@@ -1,7 +1,7 @@
-"""A 3D view as a pointer in it needs it: the ray under a pixel, in an object's own coordinates; without Blender.
+"""A 3D view as a pointer in it needs it: the ray under a pixel, in an object's coordinates; without Blender.
 
-Blender's matrices have 32 bits. All that is made of them here has 64, so that a hand in a window of a few cells
-does not tremble more than the view itself.
+Blender's matrices have 32 bits. All that is made of them here has 64, so that a hand in a window of a few
+cells does not tremble more than the view itself.
 """
 
 from __future__ import annotations
@@ -17,8 +17,8 @@ Numbers = npt.NDArray[np.float64]
 Pixel = tuple[float, float]
 """Pixels from the left and from the bottom of a view."""
 
-Matrix = Iterable[Iterable[float]]
-"""Row by row, 4 x 4."""
+Rows = Iterable[Iterable[float]]
+"""Of a matrix, 4 x 4."""
 
 
 @dataclass(frozen=True)
@@ -32,7 +32,7 @@ class Ray:
     has_eye: bool
 
     def at(self, share: float) -> Numbers | None:
-        """The point that many directions from the origin; ``None`` behind the eye, and for what is no number."""
+        """The point so many directions from the origin; ``None`` behind the eye, and for no number."""
         if not np.isfinite(share) or (self.has_eye and share <= 0.0):
             return None
         return self.origin + share * self.direction
@@ -50,8 +50,8 @@ class PointerView:
     """Width and height."""
 
     @staticmethod
-    def of(view: Matrix, projection: Matrix, world: Matrix, size: Pixel) -> PointerView:
-        """Put it together from a view's ``view_matrix`` and ``window_matrix`` and an object's ``matrix_world``."""
+    def of(view: Rows, projection: Rows, world: Rows, size: Pixel) -> PointerView:
+        """Put it together from a view's ``view_matrix`` and ``window_matrix`` and an object's place."""
         return PointerView(_numbers(view) @ _numbers(world), _numbers(projection), size)
 
     @property
@@ -70,7 +70,8 @@ class PointerView:
         x, y = (2.0 * place / size - 1.0 for place, size in zip(pointer, self.size, strict=True))
         across, upward = self.projection[0], self.projection[1]
         if self.is_perspective:
-            eye, along = np.zeros(3), np.array(((x + across[2]) / across[0], (y + upward[2]) / upward[1], -1.0))
+            eye = np.zeros(3)
+            along = np.array(((x + across[2]) / across[0], (y + upward[2]) / upward[1], -1.0))
         else:
             eye = np.array(((x - across[3]) / across[0], (y - upward[3]) / upward[1], 0.0))
             along = np.array((0.0, 0.0, -1.0))
@@ -84,5 +85,5 @@ class PointerView:
         return apart / float(np.linalg.norm(self.to_camera[:3, 0]))
 
 
-def _numbers(matrix: Matrix) -> Numbers:
+def _numbers(matrix: Rows) -> Numbers:
     return np.array([list(row) for row in matrix], dtype=np.float64)
