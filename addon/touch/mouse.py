@@ -6,6 +6,7 @@ from contextlib import suppress
 
 from proxygraph import SessionError, State
 
+from ..terrain.frame import Point
 from .live import Touch, live
 from .mouse_hand import MouseHand
 from .placement import Placement
@@ -13,14 +14,19 @@ from .stylus import press, release, turn_handle
 from .target import place_target
 from .workspace import from_workspace, to_workspace
 
-ABOVE = 0.005
-"""Workspace metres above the ground where a hand begins that no Empty leads."""
+BEGINNING = (0.0, 0.0, 0.005)
+"""Workspace metres where a hand begins that no Empty leads: in the middle, a little above the ground."""
 
 
-def take_hand(touch: Touch) -> MouseHand:
-    """Let the mouse lead the hand, from where it is now."""
+def take_hand(touch: Touch, place: Point | None = None) -> MouseHand:
+    """Let the mouse lead the hand.
+
+    Args:
+        place: where it is, workspace metres, in a session that has not ticked yet; others know.
+    """
     state = touch.session.state()
-    touch.mouse = MouseHand(goal=state.hand, pulled=state.hand, pulled_at=state.time)
+    here = place or state.hand
+    touch.mouse = MouseHand(goal=here, pulled=here, pulled_at=state.time)
     return touch.mouse
 
 

@@ -77,9 +77,10 @@ class MouseHand:
         if before is None:
             return
         was, now = seen.under(before, self.goal), seen.under(pointer, self.goal)
-        if was is None or now is None:
+        if now is None:
             return
-        self.goal = _plus(self.goal, _minus(now, was))
+        if was is not None:
+            self.goal = _plus(self.goal, _minus(now, was))
         if catches_up:
             share = 1.0 - math.exp(-math.dist(before, pointer) / CATCH_UP)
             self.goal = _plus(self.goal, _minus(now, self.goal), share)

@@ -16,7 +16,7 @@ from proxygraph import SessionError, SimulatedDevice
 from ..formats import FormatError
 from ..touch.error import TouchError
 from ..touch.live import RENDERING, Touch, live
-from ..touch.mouse import ABOVE, give_back_hand, grab, let_go, take_hand
+from ..touch.mouse import BEGINNING, give_back_hand, grab, let_go, take_hand
 from ..touch.mouse_hand import MouseHand
 from ..touch.placement import Placement
 from ..touch.pointer_map import PointerMap
@@ -66,11 +66,11 @@ class HAPTIC_TERRAIN_OT_mouse_touch(bpy.types.Operator):
         """Take the hand, or begin to touch with one; it comes to the pointer, if that is over a 3D view."""
         self._began = live.touch is None
         try:
-            touch = live.touch or start_touch(context, device=SimulatedDevice(target=(0.0, 0.0, ABOVE)))
+            touch = live.touch or start_touch(context, device=SimulatedDevice(target=BEGINNING))
         except (TouchError, FormatError) as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
-        self._hand = take_hand(touch)
+        self._hand = take_hand(touch, BEGINNING if self._began else None)
         self._keys = tuple(keys(context))
         self._timer = context.window_manager.event_timer_add(BETWEEN_LOOKS, window=context.window)
         context.window_manager.modal_handler_add(self)

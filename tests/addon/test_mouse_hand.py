@@ -1,0 +1,125 @@
+"""The hand that a mouse moves: how it follows the pointer, and how far it lets itself be pulled."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import pytest
+
+from tests.addon.scene import module
+from tests.addon.test_pointer_map import FROM_ABOVE, FROM_THE_SOUTH, WORKSPACE, map_of, pixel
+
+REST = (0.0, 0.0, 0.01)
+
+
+def hand(goal: tuple[float, float, float] = REST) -> Any:
+    return module("touch.mouse_hand").MouseHand(goal=goal, pulled=goal, pulled_at=0.0)
+
+
+def test_a_hand_under_the_pointer_stays_under_it() -> None:
+    seen, moved = map_of(FROM_ABOVE), hand()
+    moved.go_under(pixel(seen, REST), seen)
+    assert moved.goal == pytest.approx(REST, abs=1e-6)
+    for place in ((0.02, 0.0, 0.01), (0.02, 0.03, 0.01), (-0.05, -0.04, 0.01)):
+        moved.move(pixel(seen, place), seen, catches_up=True)
+        assert moved.goal == pytest.approx(place, abs=1e-6)
+
+
+def test_a_hand_elsewhere_moves_as_the_pointer_does_and_comes_nearer() -> None:
+    seen, moved = map_of(FROM_ABOVE), hand()
+    begin = (0.05, 0.0, 0.01)
+    moved.move(pixel(seen, begin), seen, catches_up=True)
+    assert moved.goal == REST, "where the pointer begins is no motion"
+    moved.move(pixel(seen, (0.051, 0.0, 0.01)), seen, catches_up=True)
+    assert 0.001 < moved.goal[0] < 0.002
+    for step in range(1000):
+        swing = (0.05 + 0.005 * math.sin(0.5 * step), 0.0, 0.01)
+        moved.move(pixel(seen, swing), seen, catches_up=True)
+    assert moved.goal == pytest.approx(swing, abs=2e-4)
+
+
+def test_what_moves_under_the_pointer_is_not_run_after() -> None:
+    seen, moved = map_of(FROM_ABOVE), hand()
+    moved.move(pixel(seen, (0.05, 0.0, 0.01)), seen, catches_up=False)
+    for x in (0.06, 0.05, 0.06, 0.05):
+        moved.move(pixel(seen, (x, 0.0, 0.01)), seen, catches_up=False)
+    assert moved.goal == pytest.approx(REST, abs=1e-6)
+
+
+def test_a_pointer_that_was_elsewhere_makes_no_jump() -> None:
+    seen, moved = map_of(FROM_ABOVE), hand()
+    moved.go_under(pixel(seen, REST), seen)
+    moved.stay()
+    moved.move(pixel(seen, (-0.07, 0.05, 0.01)), seen, catches_up=True)
+    assert moved.goal == pytest.approx(REST, abs=1e-6)
+
+
+def test_a_pointer_out_of_reach_and_back_brings_the_hand_back() -> None:
+    seen, moved = map_of(FROM_ABOVE), hand()
+    moved.go_under(pixel(seen, REST), seen)
+    for pointer in ((1e5, -1e5), (-1e5, 3e4)):
+        moved.move(pointer, seen, catches_up=True)
+    moved.move(pixel(seen, REST), seen, catches_up=True)
+    assert moved.goal == pytest.approx(REST, abs=1e-6)
+
+
+def test_the_wheel_and_a_modifier_go_where_the_pointer_cannot() -> None:
+    seen, moved = map_of(FROM_ABOVE), hand()
+    moved.step(-2.0, seen)
+    assert moved.goal == pytest.approx((0.0, 0.0, 0.006))
+    moved.pointer = (400.0, 300.0)
+    moved.lift_with((430.0, 310.0), seen, upright=False)
+    assert moved.goal == pytest.approx((0.0, 0.0, 0.006 + 10.0 * seen.metres_per_pixel(REST)), rel=1e-2)
+    along, aside = map_of(FROM_THE_SOUTH), hand()
+    aside.step(1.0, along)
+    assert aside.goal[2] == 0.01
+    assert math.hypot(*aside.goal[:2]) == pytest.approx(0.002)
+    aside.lift(5.0, along, upright=True)
+    assert aside.goal[2] > 0.01
+
+
+def test_a_hand_cannot_jump() -> None:
+    moved = hand((0.0, 0.0, 0.0))
+    moved.goal = (0.03, 0.04, 0.0)
+    moved.come(0.02)
+    assert moved.pulled == pytest.approx((0.006, 0.008, 0.0)), "0.5 m/s"
+    moved.come(0.03)
+    assert math.hypot(*moved.pulled) == pytest.approx(0.015)
+    moved.come(0.5)
+    assert moved.pulled == pytest.approx(moved.goal)
+    moved.goal = (0.08, 0.0, 0.06)
+    moved.pulled = (-0.08, 0.0, 0.0)
+    moved.come(100.0)
+    assert math.dist(moved.pulled, (-0.08, 0.0, 0.0)) == pytest.approx(0.05), "Blender stood still"
+    moved.come(90.0)
+    assert math.dist(moved.pulled, (-0.08, 0.0, 0.0)) == pytest.approx(0.05), "no clock goes back"
+
+
+def test_the_handle_turns_at_a_speed_and_as_far_as_it_was_told() -> None:
+    moved = hand()
+    moved.turn_left = -math.radians(20.0)
+    turned = [moved.come(0.05 * step) for step in range(1, 5)]
+    assert turned[0] == pytest.approx(-math.radians(9.0))
+    assert sum(turned) == pytest.approx(-math.radians(20.0))
+    assert turned[-1] == 0.0
+
+
+@pytest.mark.parametrize(
+    ("goal", "ground", "expected"),
+    [
+        ((0.5, -0.5, 0.0), 0.0, (0.08, -0.06, 0.0)),
+        ((0.0, 0.0, -0.2), 0.0, (0.0, 0.0, -0.03)),
+        ((0.0, 0.0, 0.2), 0.0, (0.0, 0.0, 0.06)),
+        ((0.0, 0.0, 0.0), 0.25, (0.0, 0.0, 0.22)),
+        ((0.0, 0.0, 0.4), 0.25, (0.0, 0.0, 0.31)),
+        ((0.0, 0.0, -0.3), -0.2, (0.0, 0.0, -0.23)),
+        ((0.0, 0.0, -0.2), None, (0.0, 0.0, -0.06)),
+    ],
+)
+def test_the_hand_is_pulled_no_deeper_than_it_can_push_and_ground_lifts_it(
+    goal: tuple[float, float, float], ground: float | None, expected: tuple[float, float, float]
+) -> None:
+    kept = hand(goal)
+    kept.keep_within(WORKSPACE, ground)
+    assert kept.goal == pytest.approx(expected)
