@@ -26,7 +26,7 @@ OUTLINER = (950.0, 200.0)
 class Screen:
     """A window with one 3D view seen from above, its sidebar, and another editor; and the events' manager."""
 
-    def __init__(self, scene: bpy.types.Scene) -> None:
+    def __init__(self, scene: Any) -> None:
         self.status: list[str | None] = []
         self.timers = 0
         self.pointers: list[str] = []
@@ -470,7 +470,7 @@ def stop_it(_mouse: Mouse) -> None:
 
 
 def delete_terrain(_mouse: Mouse) -> None:
-    bpy.data.objects.remove(bpy.context.view_layer.objects.active)
+    bpy.data.objects.remove(touch().terrain.find())
     module("touch.tick").tick()
 
 
