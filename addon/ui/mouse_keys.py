@@ -7,6 +7,7 @@ reads from the items what each key means.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -110,7 +111,7 @@ def keymap_items(context: bpy.types.Context) -> list[bpy.types.KeyMapItem]:
     return [item for item in items if item.idname == HAPTIC_TERRAIN_OT_mouse_key.bl_idname]
 
 
-def labels(known: list[Key], *actions: str) -> str:
+def labels(known: Sequence[Key], *actions: str) -> str:
     """The keys of some actions in words."""
     return ", ".join(key.label for action in actions for key in known if key.action == action)
 

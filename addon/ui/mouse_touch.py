@@ -8,6 +8,7 @@ nothing, and the hand stays where it is.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import Any, cast
 
 import bpy
@@ -25,6 +26,7 @@ from ..touch.start import chosen_terrain, start_touch
 from ..touch.stop import stop_touch
 from .mouse_keys import Key, keys, labels
 from .operator_status import OperatorStatus
+from .status_bar import status_bar
 from .view_under_pointer import SeenView, has_view, view_under_pointer
 
 BETWEEN_LOOKS = 0.1
@@ -74,7 +76,7 @@ class HAPTIC_TERRAIN_OT_mouse_touch(bpy.types.Operator):
         self._keys = tuple(keys(context))
         self._timer = context.window_manager.event_timer_add(BETWEEN_LOOKS, window=context.window)
         context.window_manager.modal_handler_add(self)
-        context.workspace.status_text_set(status(list(self._keys)))
+        context.workspace.status_text_set(cast("str", status_bar(*hints(self._keys))))
         _running.append(self)
         over = self._over(context, event, touch)
         if over is not None:
@@ -88,7 +90,7 @@ class HAPTIC_TERRAIN_OT_mouse_touch(bpy.types.Operator):
             self._end(context)
             return {"CANCELLED"}
         hand.unheard = 0
-        if event.type == "TIMER":
+        if event.type.startswith("TIMER"):
             return {"PASS_THROUGH"}
         if event.type == "WINDOW_DEACTIVATE":  # keys that are let go now are let go unheard
             self._release(touch)
@@ -218,16 +220,16 @@ def unregister() -> None:
         _running[-1].cancel(bpy.context)
 
 
-def status(known: list[Key]) -> str:
-    """What the status bar says: which keys do what."""
-    hints = (
+def hints(known: Sequence[Key]) -> list[str]:
+    """Which keys do what, for the status bar."""
+    all_hints = (
         ("Mouse", "hand"),
         (labels(known, "RAISE", "LOWER", "HEIGHT"), "up and down, press"),
         (labels(known, "BUTTON"), "grab: pan on the ground, zoom in the air"),
         (labels(known, "TWIST_LEFT", "TWIST_RIGHT"), "twist while zooming"),
         (labels(known, "END"), "end"),
     )
-    return "    ".join(f"{key}: {what}" for key, what in hints if key)
+    return [f"{key}: {what}" for key, what in all_hints if key]
 
 
 def _refusal(context: bpy.types.Context) -> str | None:

@@ -27,7 +27,7 @@ class Screen:
     """A window with one 3D view seen from above, its sidebar, and another editor; and the events' manager."""
 
     def __init__(self, scene: Any) -> None:
-        self.status: list[str | None] = []
+        self.status: list[Any] = []
         self.timers = 0
         self.pointers: list[str] = []
         # Ten units are 500 pixels high: 0.02 units for a pixel.
@@ -74,6 +74,18 @@ class Screen:
             scene=scene,
             view_layer=bpy.context.view_layer,
         )
+
+    def hints(self) -> str:
+        """What the status bar says."""
+        drawn: list[str] = []
+        layout = SimpleNamespace(
+            label=lambda *, text: drawn.append(text),
+            separator_spacer=lambda: None,
+            template_reports_banner=lambda: None,
+            template_running_jobs=lambda: None,
+        )
+        self.status[-1](SimpleNamespace(layout=layout), None)
+        return " | ".join(drawn)
 
     def _add(self, _seconds: float, *, window: object) -> object:
         self.timers += 1
@@ -188,7 +200,8 @@ def test_it_begins_to_touch_without_an_empty_and_ends_what_it_began(mouse: Mouse
     step(mouse=mouse)
     assert not [thing for thing in bpy.data.objects if thing.type == "EMPTY"]
     assert begun.has_modes
-    assert "Space" in str(mouse.screen.status[-1])
+    for hint in ("Space", "Wheel Down", "Page Up", "Esc: end"):
+        assert hint in mouse.screen.hints()
     assert mouse.send("ESC") == ENDED
     assert touch() is None
     assert not begun.session.running
@@ -558,7 +571,7 @@ def test_keys_can_be_changed_and_are_read_when_it_begins(mouse: Mouse) -> None:
     button = next(item for item in items if item.properties.action == "BUTTON")
     button.type, button.shift = "B", True
     begun = mouse.begin()
-    assert "Shift B" in str(mouse.screen.status[-1])
+    assert "Shift B" in mouse.screen.hints()
     assert mouse.send("SPACE") == PASSED
     assert mouse.send("B") == PASSED
     assert not begun.is_pressed

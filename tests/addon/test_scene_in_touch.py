@@ -263,7 +263,7 @@ def test_the_scenes_unit_changes_neither_readouts_nor_sizes(tmp_path: Path) -> N
         readout, window = touch.readout, touch.session.window
         seen.append(
             (
-                *terrain.dimensions[:],
+                terrain.dimensions.length,
                 *readout.coordinates,
                 readout.elevation,
                 window.width,
