@@ -55,10 +55,10 @@ def keep_mouse(touch: Touch, state: State) -> None:
     mouse = touch.mouse
     if mouse is None:
         return
-    mouse.unheard += 1
-    if mouse.is_deaf:
+    is_deaf = mouse.is_deaf(state.time)
+    if is_deaf:
         mouse.stay()
-    if mouse.is_deaf or mouse.lets_go:
+    if is_deaf or mouse.lets_go:
         let_go(touch)
     mouse.keep_within(touch.workspace, _ground(touch, mouse))
     turned = mouse.come(state.time)

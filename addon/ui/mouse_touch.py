@@ -89,7 +89,7 @@ class HAPTIC_TERRAIN_OT_mouse_touch(bpy.types.Operator):
         if touch is None or hand is None or touch.mouse is not hand or not has_view(context.window):
             self._end(context)
             return {"CANCELLED"}
-        hand.unheard = 0
+        hand.is_heard = True
         if event.type.startswith("TIMER"):
             return {"PASS_THROUGH"}
         if event.type == "WINDOW_DEACTIVATE":  # keys that are let go now are let go unheard

@@ -7,7 +7,7 @@ from typing import Any
 
 
 def status_bar(*hints: str) -> Callable[[Any, Any], None]:
-    """What ``WorkSpace.status_text_set`` takes; a text instead would stay in the one workspace that has it."""
+    """What ``WorkSpace.status_text_set`` takes; a text would stay in the one workspace that has it."""
 
     def draw(header: Any, _context: Any) -> None:
         layout = header.layout

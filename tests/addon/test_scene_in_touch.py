@@ -269,8 +269,8 @@ def test_the_scenes_unit_changes_neither_readouts_nor_sizes(tmp_path: Path) -> N
                 window.width,
                 bpy.data.objects["Haptic Cursor"].scale.x,
                 target().empty_display_size,
-                *target().location,
-                *cursor_place(),
+                target().location.length,
+                cursor_place().length,
             )
         )
         module("touch.stop").stop_touch()
