@@ -18,7 +18,7 @@ SPEED = 0.5
 """Workspace metres a second: a brisk hand. A pointer can jump, a hand cannot."""
 
 NOTCH = 0.002
-"""Workspace metres for a notch of the wheel: on flat ground 0.4 N more, as the simulated hand's muscle is."""
+"""Workspace metres for a notch of the wheel: 0.4 N more on flat ground, as the simulated hand's muscle is."""
 
 PRESS = 0.03
 """Workspace metres under the ground that the hand is pulled to at most: there it pushes with nearly 6 N.
@@ -48,6 +48,8 @@ class MouseHand:
     """Where its muscle pulls it now, on the way to the goal."""
     pulled_at: float
     """Seconds of the session's clock."""
+    ground: float | None = None
+    """Workspace metres up where the ground is under the goal; ``None`` over a hole and beside the map."""
     pointer: Pixel | None = None
     """Where the pointer was last seen; ``None`` where it has been elsewhere since."""
     turn_left: float = 0.0
@@ -73,7 +75,9 @@ class MouseHand:
     def go_under(self, pointer: Pixel, seen: PointerMap) -> None:
         """Put the hand under the pointer, wherever it was."""
         self.pointer = pointer
-        self.goal = seen.under(pointer, self.goal) or self.goal
+        found = seen.under(pointer, self._seen_at(self.goal))
+        if found is not None:
+            self.goal = _plus(self.goal, _minus(found, self._seen_at(self.goal)))
 
     def move(self, pointer: Pixel, seen: PointerMap, *, catches_up: bool) -> None:
         """Move the hand as the pointer moved since it was seen last.
@@ -85,14 +89,15 @@ class MouseHand:
         before, self.pointer = self.pointer, pointer
         if before is None:
             return
-        was, now = seen.under(before, self.goal), seen.under(pointer, self.goal)
+        here = self._seen_at(self.goal)
+        was, now = seen.under(before, here), seen.under(pointer, here)
         if now is None:
             return
         if was is not None:
             self.goal = _plus(self.goal, _minus(now, was))
         if catches_up:
             share = 1.0 - math.exp(-math.dist(before, pointer) / CATCH_UP)
-            self.goal = _plus(self.goal, _minus(now, self.goal), share)
+            self.goal = _plus(self.goal, _minus(now, self._seen_at(self.goal)), share)
 
     def lift_with(self, pointer: Pixel, seen: PointerMap, *, upright: bool) -> None:
         """Move the hand in the direction that pointers do not have, by the pointer's way up the screen.
@@ -102,16 +107,24 @@ class MouseHand:
         """
         before, self.pointer = self.pointer, pointer
         if before is not None:
-            self.lift(pointer[1] - before[1], seen, upright=upright)
+            outward = (0.0, 0.0, 1.0) if upright else seen.outward(self.goal)
+            pixels = pointer[1] - before[1]
+            self.goal = _plus(self.goal, outward, pixels * seen.metres_per_pixel(self.goal))
 
-    def lift(self, pixels: float, seen: PointerMap, *, upright: bool = False) -> None:
-        """Move the hand in the direction that pointers do not have, or up."""
+    def go_out(self, pointer: Pixel, seen: PointerMap, metres: float, *, upright: bool) -> None:
+        """Move the hand in the direction that pointers do not have, so that it stays under one that rests.
+
+        Args:
+            upright: straight up, however the view looks.
+        """
         outward = (0.0, 0.0, 1.0) if upright else seen.outward(self.goal)
-        self.goal = _plus(self.goal, outward, pixels * seen.metres_per_pixel(self.goal))
-
-    def step(self, notches: float, seen: PointerMap) -> None:
-        """Move the hand in the direction that pointers do not have, by the wheel."""
-        self.goal = _plus(self.goal, seen.outward(self.goal), notches * NOTCH)
+        before, self.goal = self.goal, _plus(self.goal, outward, metres)
+        if upright:
+            return
+        here, there = self._seen_at(before), self._seen_at(self.goal)
+        was, now = seen.under(pointer, here), seen.under(pointer, there)
+        if was is not None and now is not None:
+            self.goal = _plus(self.goal, _minus(_minus(now, was), _minus(there, here)))
 
     def stay(self) -> None:
         """Stay where it is: the pointer goes elsewhere, or something else moves with it."""
@@ -124,6 +137,7 @@ class MouseHand:
             workspace: width, depth and height that the hand can reach, metres.
             ground: workspace metres up where the ground is; ``None`` over a hole and beside the map.
         """
+        self.ground = ground
         x, y, z = within_reach(self.goal, workspace)
         half = workspace[2] / 2.0
         lowest, highest = (-half, half) if ground is None else (ground - PRESS, max(half, ground + half))
@@ -143,6 +157,11 @@ class MouseHand:
         turned = math.copysign(min(abs(self.turn_left), TURNING * seconds), self.turn_left)
         self.turn_left -= turned
         return turned
+
+    def _seen_at(self, place: Point) -> Point:
+        """Where what the eye follows is: the hand, or the ground above it, into which it presses."""
+        x, y, z = place
+        return x, y, z if self.ground is None else max(z, self.ground)
 
 
 def _plus(place: Point, way: Point, share: float = 1.0) -> Point:

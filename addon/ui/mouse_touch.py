@@ -18,7 +18,7 @@ from ..formats import FormatError
 from ..touch.error import TouchError
 from ..touch.live import RENDERING, Touch, live
 from ..touch.mouse import BEGINNING, give_back_hand, grab, let_go, take_hand
-from ..touch.mouse_hand import MouseHand
+from ..touch.mouse_hand import NOTCH, MouseHand
 from ..touch.placement import Placement
 from ..touch.pointer_map import PointerMap
 from ..touch.pointer_view import PointerView, Rows
@@ -127,18 +127,20 @@ class HAPTIC_TERRAIN_OT_mouse_touch(bpy.types.Operator):
         over: tuple[tuple[float, float], PointerMap],
     ) -> OperatorStatus:
         """Do what a key says."""
-        seen = over[1]
+        pointer, seen = over
+        zooms = _mode(touch) == "zoom"
         if key.action == "END":
             self._end(context)
             return {"FINISHED"}
         if key.action == "BUTTON":
             self._press(touch, event)
         elif key.action == "RAISE":
-            hand.step(1.0, seen)
+            hand.go_out(pointer, seen, NOTCH, upright=zooms)
         elif key.action == "LOWER":
-            hand.step(-1.0, seen)
+            hand.go_out(pointer, seen, -NOTCH, upright=zooms)
         elif key.action == "HEIGHT":  # of a trackpad, whose fingers move and whose pointer does not
-            hand.lift(event.mouse_y - event.mouse_prev_y, seen)
+            pixels = event.mouse_y - event.mouse_prev_y
+            hand.go_out(pointer, seen, pixels * seen.metres_per_pixel(hand.goal), upright=zooms)
         else:
             hand.turn_left += TWIST if key.action == "TWIST_LEFT" else -TWIST
         return {"RUNNING_MODAL"}
@@ -153,7 +155,7 @@ class HAPTIC_TERRAIN_OT_mouse_touch(bpy.types.Operator):
     ) -> None:
         """Follow the pointer. In zoom mode only the hand's height counts: there the mouse has no other."""
         pointer, seen = over
-        mode = touch.readout.mode if touch.readout is not None else "normal"
+        mode = _mode(touch)
         if lifts or mode == "zoom":
             hand.lift_with(pointer, seen, upright=mode == "zoom")
         else:
@@ -249,6 +251,10 @@ def _refusal(context: bpy.types.Context) -> str | None:
     if not live.touch.is_simulated:
         return "Another device holds the hand: stop touch first"
     return None
+
+
+def _mode(touch: Touch) -> str:
+    return touch.readout.mode if touch.readout is not None else "normal"
 
 
 def _map(touch: Touch, placement: Placement, found: SeenView) -> PointerMap:

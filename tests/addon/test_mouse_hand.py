@@ -6,11 +6,14 @@ import math
 from typing import Any
 
 import pytest
+from mathutils import Vector
 
 from tests.addon.scene import module
 from tests.addon.test_pointer_map import FROM_ABOVE, FROM_THE_SOUTH, WORKSPACE, map_of, pixel
 
 REST = (0.0, 0.0, 0.01)
+
+OBLIQUE = Vector((3.0, -6.0, 5.0))
 
 
 def hand(goal: tuple[float, float, float] = REST) -> Any:
@@ -66,17 +69,36 @@ def test_a_pointer_out_of_reach_and_back_brings_the_hand_back() -> None:
 
 def test_the_wheel_and_a_modifier_go_where_the_pointer_cannot() -> None:
     seen, moved = map_of(FROM_ABOVE), hand()
-    moved.step(-2.0, seen)
-    assert moved.goal == pytest.approx((0.0, 0.0, 0.006))
     moved.pointer = (400.0, 300.0)
     moved.lift_with((430.0, 310.0), seen, upright=False)
-    assert moved.goal == pytest.approx((0.0, 0.0, 0.006 + 10.0 * seen.metres_per_pixel(REST)), rel=1e-2)
+    assert moved.goal == pytest.approx((0.0, 0.0, 0.01 + 10.0 * seen.metres_per_pixel(REST)), rel=1e-2)
     along, aside = map_of(FROM_THE_SOUTH), hand()
-    aside.step(1.0, along)
-    assert aside.goal[2] == 0.01
-    assert math.hypot(*aside.goal[:2]) == pytest.approx(0.002)
-    aside.lift(5.0, along, upright=True)
-    assert aside.goal[2] > 0.01
+    pointer = pixel(along, REST)
+    aside.go_out(pointer, along, 0.02, upright=False)
+    assert along.under(pointer, aside.goal) == pytest.approx(aside.goal, abs=1e-6)
+    assert math.hypot(*aside.goal[:2]) == pytest.approx(0.02, rel=1e-2)
+    height = aside.goal[2]
+    aside.go_out(pointer, along, 0.02, upright=True)
+    assert aside.goal[2] == pytest.approx(height + 0.02)
+
+
+def test_lowered_by_the_wheel_the_hand_comes_down_where_the_pointer_is_and_presses_there() -> None:
+    seen, moved = map_of(OBLIQUE), hand((0.0, 0.0, 0.02))
+    spot = (0.01, -0.02, 0.0)
+    pointer = pixel(seen, spot)
+    moved.keep_within(WORKSPACE, 0.0)
+    moved.go_under(pointer, seen)
+    for _ in range(15):
+        moved.go_out(pointer, seen, -0.002, upright=False)
+        moved.keep_within(WORKSPACE, 0.0)
+        shown = (*moved.goal[:2], max(moved.goal[2], 0.0))
+        assert pixel(seen, shown) == pytest.approx(pointer, abs=0.01)
+    assert moved.goal == pytest.approx((0.01, -0.02, -0.01), abs=1e-5)
+    other = (0.03, 0.01, 0.0)
+    moved.move(pixel(seen, other), seen, catches_up=True)
+    assert moved.goal == pytest.approx((0.03, 0.01, -0.01), abs=1e-5), (
+        "it goes on over the ground that is seen"
+    )
 
 
 def test_a_hand_cannot_jump() -> None:
