@@ -26,7 +26,7 @@ def take_hand(touch: Touch, place: Point | None = None) -> MouseHand:
     """
     state = touch.session.state()
     here = place or state.hand
-    touch.mouse = MouseHand(goal=here, pulled=here, pulled_at=state.time)
+    touch.mouse = MouseHand(goal=here, pulled=here, pulled_at=state.time, heard_at=state.time)
     return touch.mouse
 
 
@@ -55,10 +55,7 @@ def keep_mouse(touch: Touch, state: State) -> None:
     mouse = touch.mouse
     if mouse is None:
         return
-    is_deaf = mouse.is_deaf(state.time)
-    if is_deaf:
-        mouse.stay()
-    if is_deaf or mouse.lets_go:
+    if mouse.lets_go:
         let_go(touch)
     mouse.keep_within(touch.workspace, _ground(touch, mouse))
     turned = mouse.come(state.time)

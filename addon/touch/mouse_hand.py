@@ -30,13 +30,6 @@ TURNING = math.radians(180.0)
 LONGEST = 0.1
 """Seconds that the hand moves on at a time: while Blender stands still, nobody sees where it goes."""
 
-DEAF = 0.5
-"""Seconds without any event, even of its own timer, after which an operator has another above it that takes
-them all: the release of a button would not be heard either."""
-
-LOOKS = 5
-"""Of Blender's timer in that time, at least: while Blender stands still nobody hears anything."""
-
 
 @dataclass
 class MouseHand:
@@ -58,19 +51,8 @@ class MouseHand:
     """Whether the mouse's operator holds the stylus button down, and has to let it go."""
     lets_go: bool = False
     """Whether it has let go, and the servo does not know yet."""
-    is_heard: bool = True
-    """Whether its operator has heard of an event since Blender's timer looked."""
     heard_at: float = 0.0
-    """Seconds of the session's clock when it last had."""
-    looks: int = 0
-    """Of the timer, since then."""
-
-    def is_deaf(self, time: float) -> bool:
-        """Look whether the operator hears of nothing, at a time of the session's clock."""
-        if self.is_heard:
-            self.is_heard, self.heard_at, self.looks = False, time, 0
-        self.looks += 1
-        return self.looks > LOOKS and time - self.heard_at > DEAF
+    """Seconds of the session's clock when its operator last heard of what a person did."""
 
     def go_under(self, pointer: Pixel, seen: PointerMap) -> None:
         """Put the hand under the pointer, wherever it was."""

@@ -35,6 +35,13 @@ BETWEEN_LOOKS = 0.1
 TWIST = math.radians(5.0)
 """Radians that the handle turns for a press of a key; it repeats while it is held."""
 
+DEAF = 0.5
+"""Seconds without any event after which an operator above is taken for one that lets none pass: nor would it
+let the release of a button pass. Timers get by it, and keys that are held down repeat themselves."""
+
+IDNAME = "HAPTIC_TERRAIN_OT_mouse_touch"
+"""Of the operator, as Blender lists those that run."""
+
 MOVES = ("MOUSEMOVE", "INBETWEEN_MOUSEMOVE")
 
 _running: list[Any] = []
@@ -89,9 +96,11 @@ class HAPTIC_TERRAIN_OT_mouse_touch(bpy.types.Operator):
         if touch is None or hand is None or touch.mouse is not hand or not has_view(context.window):
             self._end(context)
             return {"CANCELLED"}
-        hand.is_heard = True
         if event.type.startswith("TIMER"):
+            if hand.pulled_at - hand.heard_at > DEAF and _is_below(context.window):
+                self._release(touch)
             return {"PASS_THROUGH"}
+        hand.heard_at = hand.pulled_at
         if event.type == "WINDOW_DEACTIVATE":  # keys that are let go now are let go unheard
             self._release(touch)
             hand.stay()
@@ -251,6 +260,12 @@ def _refusal(context: bpy.types.Context) -> str | None:
     if not live.touch.is_simulated:
         return "Another device holds the hand: stop touch first"
     return None
+
+
+def _is_below(window: Any) -> bool:
+    """Whether another operator runs that hears of everything first."""
+    running = window.modal_operators
+    return len(running) > 0 and running[0].bl_idname != IDNAME
 
 
 def _mode(touch: Touch) -> str:

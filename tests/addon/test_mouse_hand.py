@@ -118,16 +118,6 @@ def test_a_hand_cannot_jump() -> None:
     assert math.dist(moved.pulled, (-0.08, 0.0, 0.0)) == pytest.approx(0.05), "no clock goes back"
 
 
-def test_who_hears_nothing_is_told_from_who_stands_still() -> None:
-    moved = hand()
-    assert not any(moved.is_deaf(0.1 * look) for look in range(6))
-    assert moved.is_deaf(0.6)
-    moved.is_heard = True
-    assert not moved.is_deaf(0.7)
-    assert not moved.is_deaf(60.0), "Blender stood still for a minute"
-    assert [moved.is_deaf(60.0 + 0.01 * look) for look in range(6)] == [False] * 3 + [True] * 3
-
-
 def test_the_handle_turns_at_a_speed_and_as_far_as_it_was_told() -> None:
     moved = hand()
     moved.turn_left = -math.radians(20.0)

@@ -59,6 +59,7 @@ class Screen:
         self.window = SimpleNamespace(
             scene=scene,
             screen=SimpleNamespace(areas=areas),
+            modal_operators=[SimpleNamespace(bl_idname="HAPTIC_TERRAIN_OT_mouse_touch")],
             cursor_modal_set=self.pointers.append,
             cursor_modal_restore=lambda: self.pointers.append("as ever"),
         )
@@ -378,17 +379,32 @@ def test_an_operator_above_that_takes_all_events_makes_the_hand_let_go_and_stay(
     begun = mouse.begin()
     step(mouse=mouse)
     mouse.send("SPACE")
-    step(400)
+    step(1000, mouse)
+    assert begun.is_pressed, "a hand that holds still holds on"
+    assert mouse.send("MIDDLEMOUSE") == PASSED
+    mouse.screen.window.modal_operators.insert(0, SimpleNamespace(bl_idname="VIEW3D_OT_rotate"))
+    step(400, mouse)
     assert begun.is_pressed, "half a second may pass"
-    step(400)
-    assert not begun.is_pressed
-    assert begun.mouse is not None
     goal = begun.mouse.goal
+    step(200, mouse)
+    assert not begun.is_pressed
+    mouse.screen.window.modal_operators.pop(0)
     mouse.move(600.0, 400.0)
     assert begun.mouse.goal == goal
     mouse.send("SPACE")
     step(600, mouse)
     assert begun.is_pressed, "afterwards all is as before"
+
+
+def test_an_operator_above_that_lets_events_pass_changes_nothing(mouse: Mouse) -> None:
+    begun = mouse.begin()
+    mouse.screen.window.modal_operators.insert(0, SimpleNamespace(bl_idname="OTHER_OT_screencast"))
+    step(mouse=mouse)
+    mouse.send("SPACE")
+    for _ in range(5):
+        step(400, mouse)
+        mouse.send("SPACE", is_repeat=True)
+    assert begun.is_pressed
 
 
 def test_a_servo_that_is_busy_hears_of_the_release_later(mouse: Mouse) -> None:
