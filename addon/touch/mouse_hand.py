@@ -45,6 +45,8 @@ class MouseHand:
     """Workspace metres up where the ground is under the goal; ``None`` over a hole and beside the map."""
     pointer: Pixel | None = None
     """Where the pointer was last seen; ``None`` where it has been elsewhere since."""
+    has_met: bool = False
+    """Whether it has been sent to the pointer, as it is when the pointer first comes to a view."""
     turn_left: float = 0.0
     """Radians that the handle still has to be turned."""
     holds_button: bool = False
@@ -56,7 +58,7 @@ class MouseHand:
 
     def go_under(self, pointer: Pixel, seen: PointerMap) -> None:
         """Put the hand under the pointer, wherever it was."""
-        self.pointer = pointer
+        self.pointer, self.has_met = pointer, True
         found = seen.under(pointer, self._seen_at(self.goal))
         if found is not None:
             self.goal = _plus(self.goal, _minus(found, self._seen_at(self.goal)))
@@ -68,6 +70,9 @@ class MouseHand:
             catches_up: whether a hand that is not under the pointer comes nearer to it: not where it moves
                 what the pointer points at.
         """
+        if not self.has_met:
+            self.go_under(pointer, seen)
+            return
         before, self.pointer = self.pointer, pointer
         if before is None:
             return

@@ -30,7 +30,7 @@ from .status_bar import status_bar
 from .view_under_pointer import SeenView, has_view, view_under_pointer
 
 BETWEEN_LOOKS = 0.1
-"""Seconds between two events of the operator's own timer: so often at least it hears of something."""
+"""Seconds between two events of the operator's own timer, by which it learns that touch has ended."""
 
 TWIST = math.radians(5.0)
 """Radians that the handle turns for a press of a key; it repeats while it is held."""
@@ -228,7 +228,7 @@ class HAPTIC_TERRAIN_OT_mouse_touch(bpy.types.Operator):
 def unregister() -> None:
     """End the operator that runs, before Blender forgets it."""
     while _running:
-        _running[-1].cancel(bpy.context)
+        _running.pop().cancel(bpy.context)
 
 
 def hints(known: Sequence[Key]) -> list[str]:

@@ -17,7 +17,17 @@ OBLIQUE = Vector((3.0, -6.0, 5.0))
 
 
 def hand(goal: tuple[float, float, float] = REST) -> Any:
-    return module("touch.mouse_hand").MouseHand(goal=goal, pulled=goal, pulled_at=0.0)
+    """Give one that has met the pointer before."""
+    return module("touch.mouse_hand").MouseHand(goal=goal, pulled=goal, pulled_at=0.0, has_met=True)
+
+
+def test_where_the_pointer_first_comes_to_a_view_the_hand_goes() -> None:
+    seen, moved = map_of(FROM_ABOVE), hand()
+    moved.has_met = False
+    place = (0.05, 0.01, 0.01)
+    moved.move(pixel(seen, place), seen, catches_up=True)
+    assert moved.goal == pytest.approx(place, abs=1e-6)
+    assert moved.pulled == REST, "as fast as a hand does"
 
 
 def test_a_hand_under_the_pointer_stays_under_it() -> None:
