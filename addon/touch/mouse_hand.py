@@ -42,7 +42,7 @@ class MouseHand:
     pulled_at: float
     """Seconds of the session's clock."""
     ground: float | None = None
-    """Workspace metres up where the ground is under the goal; ``None`` over a hole and beside the map."""
+    """Workspace metres up where the ground is under the goal; ``None`` where there has been none yet."""
     pointer: Pixel | None = None
     """Where the pointer was last seen; ``None`` where it has been elsewhere since."""
     has_met: bool = False
@@ -122,9 +122,10 @@ class MouseHand:
 
         Args:
             workspace: width, depth and height that the hand can reach, metres.
-            ground: workspace metres up where the ground is; ``None`` over a hole and beside the map.
+            ground: workspace metres up where the ground is; over a hole and beside the map ``None``, which
+                counts as what was last: a hand shall not dive there and come back under the ground.
         """
-        self.ground = ground
+        self.ground = ground = self.ground if ground is None else ground
         x, y, z = within_reach(self.goal, workspace)
         half = workspace[2] / 2.0
         lowest, highest = (-half, half) if ground is None else (ground - PRESS, max(half, ground + half))

@@ -118,7 +118,8 @@ class HAPTIC_TERRAIN_OT_mouse_touch(bpy.types.Operator):
             self._move(touch, hand, over, lifts=key is not None and key.action == "HEIGHT")
             return {"PASS_THROUGH"}
         if key is None:
-            hand.stay()  # whatever begins now moves the pointer for itself
+            if event.value != "RELEASE":  # whatever begins now moves the pointer for itself
+                hand.stay()
             return {"PASS_THROUGH"}
         return self._act(context, touch, hand, key, event, over)
 

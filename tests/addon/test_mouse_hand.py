@@ -155,3 +155,11 @@ def test_the_hand_is_pulled_no_deeper_than_it_can_push_and_ground_lifts_it(
     kept = hand(goal)
     kept.keep_within(WORKSPACE, ground)
     assert kept.goal == pytest.approx(expected)
+
+
+def test_beside_the_map_the_hand_dives_no_deeper_than_on_it() -> None:
+    kept = hand((0.0, 0.0, 0.0))
+    kept.keep_within(WORKSPACE, 0.01)
+    kept.goal = (0.0, 0.06, -0.05)
+    kept.keep_within(WORKSPACE, None)
+    assert kept.goal == pytest.approx((0.0, 0.06, -0.02))
