@@ -15,8 +15,11 @@ from .ui import (
     bake_operators,
     import_operator,
     keymap,
+    mouse_keys,
+    mouse_touch,
     panel,
     place_operators,
+    preferences,
     profile_operators,
     record_operators,
     settings,
@@ -28,11 +31,14 @@ from .ui.panels import bake, colours, georeference, profile, take
 
 CLASSES: tuple[type, ...] = (
     settings.HapticTerrainSettings,
+    preferences.HapticTerrainPreferences,
     import_operator.HAPTIC_TERRAIN_OT_import_grid,
     import_operator.HAPTIC_TERRAIN_FH_grid,
     touch_operators.HAPTIC_TERRAIN_OT_touch_start,
     touch_operators.HAPTIC_TERRAIN_OT_touch_update,
     touch_operators.HAPTIC_TERRAIN_OT_touch_stop,
+    mouse_touch.HAPTIC_TERRAIN_OT_mouse_touch,
+    mouse_keys.HAPTIC_TERRAIN_OT_mouse_key,
     stylus_operators.HAPTIC_TERRAIN_OT_press,
     stylus_operators.HAPTIC_TERRAIN_OT_release,
     stylus_operators.HAPTIC_TERRAIN_OT_twist,
@@ -78,10 +84,13 @@ def register() -> None:
     saving.register()
     timer.register()
     keymap.register()
+    mouse_keys.register()
 
 
 def unregister() -> None:
     """Remove what ``register`` added."""
+    mouse_touch.unregister()
+    mouse_keys.unregister()
     keymap.unregister()
     if live.recording is not None:
         stop_playing(bpy.context, live.recording)

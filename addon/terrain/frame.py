@@ -81,10 +81,12 @@ def map_size(layout: GridLayout) -> tuple[float, float]:
 
 
 def nearest_on_map(layout: GridLayout, place: Point) -> Point:
-    """Bring a terrain place that is beside the map to its nearest edge, as the map is seen."""
+    """Bring a terrain place that is beside the map to its nearest edge; east runs on where the map wraps."""
     width, height = map_size(layout)
     east, north, up = place
-    return min(max(east, 0.0), width), max(min(north, 0.0), -height), up
+    if not layout.wraps:
+        east = min(max(east, 0.0), width)
+    return east, max(min(north, 0.0), -height), up
 
 
 def place_in_grid(layout: GridLayout, east: float, north: float) -> tuple[float, float]:

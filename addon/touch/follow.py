@@ -1,7 +1,7 @@
-"""The hand follows the Empty, and the Empty follows the window.
+"""The hand follows the mouse or the Empty, and the Empty follows the window.
 
-What counts is where the hand is in its workspace. While a mode moves the window, the Empty stays, so that it
-can be dragged: it means what it meant when the mode began. When the mode ends, it is brought to the hand.
+What counts is where the hand is in its workspace. While a mode moves the window, or a person drags the Empty,
+it stays what it meant when that began. When both have ended, it is brought to the hand.
 """
 
 from __future__ import annotations
@@ -9,6 +9,7 @@ from __future__ import annotations
 from proxygraph import Window
 
 from ..terrain.frame import Point
+from .dragging import is_dragging
 from .live import Touch, live
 from .placement import Placement
 from .target import place_target, target_place
@@ -29,7 +30,7 @@ def lay_window(touch: Touch, window: Window) -> None:
 def carry_target(touch: Touch, placement: Placement) -> None:
     """Bring the Empty to where the hand is, after a mode or momentum has moved the window."""
     window = touch.session.window
-    if live.rendering or is_same(window, touch.target_window):
+    if live.rendering or touch.mouse is not None or is_same(window, touch.target_window) or is_dragging():
         return
     place = _meant(touch, placement)
     touch.target_window = window
@@ -40,7 +41,7 @@ def carry_target(touch: Touch, placement: Placement) -> None:
 
 
 def follow_target(touch: Touch, placement: Placement) -> None:
-    """Pull the simulated hand to the Empty; where the Empty is gone, or nowhere, the hand stays.
+    """Pull the simulated hand to where the mouse or the Empty wants it; where nothing does, it stays.
 
     Raises:
         SessionError: too many commands wait already.
@@ -55,6 +56,8 @@ def follow_target(touch: Touch, placement: Placement) -> None:
 
 def _meant(touch: Touch, placement: Placement) -> Point | None:
     """Workspace metres where the hand is to be; ``None`` where nothing says."""
+    if touch.mouse is not None:
+        return touch.mouse.pulled
     empty = touch.target.find() if touch.target is not None else None
     place = target_place(empty, placement, touch.grid.layout) if empty is not None else None
     if place is None:

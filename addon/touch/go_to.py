@@ -74,11 +74,9 @@ def map_place(kept: KeptTerrain, longitude: float, latitude: float) -> tuple[flo
     east, north = column * layout.cell_width, -row * layout.cell_height
     on_edge = nearest_on_map(layout, (east, north, 0.0))[:2]
     beside = abs(on_edge[0] - east) / layout.cell_width, abs(on_edge[1] - north) / layout.cell_height
-    if layout.wraps:
-        beside = 0.0, beside[1]
     if max(beside) > 0.5:
         raise PlaceError(f"{named} is not on this map, which shows {shown_extent(kept)}.")
-    return (east if layout.wraps else on_edge[0]), on_edge[1]
+    return on_edge
 
 
 def shown_extent(kept: KeptTerrain) -> str:

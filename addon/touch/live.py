@@ -15,6 +15,7 @@ from ..terrain.opened import OpenedGrids
 from ..terrain.preview import PreviewSurface
 from .detail import Detail
 from .handle import Handle
+from .mouse_hand import MouseHand
 from .placement import Placement
 from .recorder import Recorder
 
@@ -67,6 +68,16 @@ class ModelChoice:
     """Workspace metres; of the virtual proxy."""
 
 
+@dataclass(frozen=True)
+class Clip:
+    """How near a 3D view shows things, Blender units."""
+
+    own: float
+    """As a person chose it."""
+    ours: float
+    """As it was set, so that the cursor is not cut off."""
+
+
 @dataclass
 class Touch:
     """A hand on a terrain."""
@@ -102,6 +113,12 @@ class Touch:
     """What the session was told last."""
     pre_roll: float = 0.0
     """The same, seconds."""
+    mouse: MouseHand | None = None
+    """What the mouse wants of the simulated hand while it moves it, in the Empty's stead."""
+    clips: dict[int, Clip] = field(default_factory=dict)
+    """Of 3D views that were brought nearer, by their pointer."""
+    shortcomings: tuple[str, ...] = ()
+    """What of the terrain's place in the scene cannot be followed, in words."""
     readout: Readout | None = None
     detail: Detail | None = None
     """What the views show in the place of the terrain's mesh; ``None`` where nobody looks."""

@@ -51,6 +51,29 @@ class Placement:
         return self.frame.exaggeration * stretched
 
     @property
+    def is_mirrored(self) -> bool:
+        """Whether left and right are exchanged."""
+        return self.matrix.determinant() < 0.0
+
+    @property
+    def shear(self) -> float:
+        """How far the object's axes are from right angles: 0, or up to 1 where two of them coincide."""
+        x, y, z = self._axes
+        return max(abs(one.normalized().dot(other.normalized())) for one, other in ((x, y), (y, z), (z, x)))
+
+    @property
+    def unevenness(self) -> float:
+        """How much longer the object's y is than its x, as a share; below 0 where it is shorter."""
+        x, y, _z = self._axes
+        return float(y.length / x.length) - 1.0
+
+    @property
+    def _axes(self) -> tuple[Vector, Vector, Vector]:
+        """The object's own, in the scene."""
+        turned = self.matrix.to_3x3().transposed()
+        return turned[0], turned[1], turned[2]
+
+    @property
     def rotation(self) -> Quaternion:
         """How the object is turned. A mirrored one is taken unmirrored: its up stays up."""
         axes = self.matrix.to_3x3().normalized()

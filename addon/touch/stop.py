@@ -8,6 +8,7 @@ import bpy
 
 from ..terrain.levels_object import put_away_levels
 from ..terrain.view import redraw
+from .follow_view import give_back_views
 from .live import Touch, live
 
 log = logging.getLogger(__name__)
@@ -24,6 +25,7 @@ def stop_touch(message: str = "") -> None:
         return
     touch.session.stop()
     note_model(touch)
+    give_back_views(touch)
     live.touch = None
     if touch.detail is not None:
         touch.detail.end()

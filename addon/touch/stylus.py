@@ -34,6 +34,16 @@ def twist(touch: Touch, degrees: float) -> None:
         ValueError: that is no number.
         SessionError: too many commands wait already.
     """
-    twisted = touch.twist + math.radians(degrees)
+    turn_handle(touch, math.radians(degrees))
+
+
+def turn_handle(touch: Touch, radians: float) -> None:
+    """The same in radians.
+
+    Raises:
+        ValueError: that is no number.
+        SessionError: too many commands wait already.
+    """
+    twisted = touch.twist + radians
     touch.session.set_twist(twisted)
     touch.twist = twisted

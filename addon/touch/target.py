@@ -27,7 +27,10 @@ def target_object(scene: bpy.types.Scene) -> bpy.types.Object | None:
 
 
 def target_place(empty: bpy.types.Object, placement: Placement, layout: GridLayout) -> Point | None:
-    """Terrain metres of the Empty, or of the map's edge nearest to it; ``None`` where they are no numbers."""
+    """Terrain metres of the Empty, or of the map's edge nearest to it; ``None`` where they are no numbers.
+
+    A map that wraps has no edge in the east or west: beside it the Empty is beyond the seam.
+    """
     place = placement.to_terrain(empty.matrix_world.translation)
     return nearest_on_map(layout, place) if all(map(math.isfinite, place)) else None
 

@@ -21,8 +21,10 @@ from .follow import carry_target, follow_target, lay_window
 from .follow_view import follow_view
 from .live import Readout, Touch, live
 from .model import keep_model
+from .mouse import keep_mouse
 from .placement import Placement
 from .pre_roll import keep_pre_roll
+from .shortcomings import shortcomings
 from .show_detail import show_detail
 from .stop import note_model, stop_touch
 from .windows import stretched
@@ -60,7 +62,9 @@ def tick() -> None:
         if state.mode == "normal":  # what is held in pan and zoom must not be torn away
             carry_target(touch, placement)
             _keep_exaggeration(touch, placement)
+        keep_mouse(touch, state)
         follow_target(touch, placement)
+    touch.shortcomings = shortcomings(terrain, scene, placement)
     touch.readout = _readout(touch, state)
     if not live.rendering:
         follow_view(touch, scene, placement)

@@ -12,6 +12,7 @@ from ..touch.model import SPHERE, WALK
 from ..touch.placement import Placement
 from .chosen import shown_terrain
 from .import_operator import TITLE, HAPTIC_TERRAIN_OT_import_grid
+from .mouse_touch import HAPTIC_TERRAIN_OT_mouse_touch
 from .place_words import place_lines
 from .record_operators import (
     HAPTIC_TERRAIN_OT_record_start,
@@ -88,8 +89,13 @@ class HAPTIC_TERRAIN_PT_touch(bpy.types.Panel):
             layout.prop(context.scene.haptic_terrain, "passivity_control")
             _draw_model(layout, context.scene)
             layout.operator(HAPTIC_TERRAIN_OT_touch_start.bl_idname, icon="PLAY")
+            layout.operator(HAPTIC_TERRAIN_OT_mouse_touch.bl_idname, icon="MOUSE_MOVE")
             return
         layout.operator(HAPTIC_TERRAIN_OT_touch_stop.bl_idname, icon="SNAP_FACE")
+        if live.touch.is_simulated:
+            layout.operator(HAPTIC_TERRAIN_OT_mouse_touch.bl_idname, icon="MOUSE_MOVE")
+        for shortcoming in live.touch.shortcomings:
+            draw_message(layout, shortcoming)
         draw_stylus(layout, live.touch)
         _draw_model(layout, live.touch.scene.find())
         if live.touch.detail is not None and live.touch.detail.words is not None:

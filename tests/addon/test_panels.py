@@ -83,7 +83,8 @@ def dialog_of(notes: Notes, *paths: Path, **choices: Any) -> SimpleNamespace:
 
 def test_without_terrain_the_panel_offers_to_import() -> None:
     assert drawn("HAPTIC_TERRAIN_PT_terrain").operators == ["haptic_terrain.import_grid"]
-    assert drawn("HAPTIC_TERRAIN_PT_touch").operators == ["haptic_terrain.touch_start"]
+    starts = ["haptic_terrain.touch_start", "haptic_terrain.mouse_touch"]
+    assert drawn("HAPTIC_TERRAIN_PT_touch").operators == starts
 
 
 def test_the_panel_describes_the_terrain(label: Path) -> None:
