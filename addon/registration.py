@@ -7,11 +7,13 @@ from pathlib import Path
 import bpy
 
 from .formats.cache import cache
+from .overlay import handlers as overlay
 from .terrain import saving
 from .touch import timer
 from .ui import (
     import_operator,
     keymap,
+    overview_gizmo,
     panel,
     place_operators,
     profile_operators,
@@ -21,6 +23,7 @@ from .ui import (
     touch_operators,
 )
 from .ui.panels import colours, georeference, profile
+from .ui.panels import overlay as overlay_panel
 
 CLASSES: tuple[type, ...] = (
     settings.HapticTerrainSettings,
@@ -45,8 +48,12 @@ CLASSES: tuple[type, ...] = (
     colours.HAPTIC_TERRAIN_PT_colours,
     profile.HAPTIC_TERRAIN_PT_profile,
     panel.HAPTIC_TERRAIN_PT_touch,
+    overlay_panel.HAPTIC_TERRAIN_PT_overlay,
     panel.HAPTIC_TERRAIN_PT_safety,
     panel.HAPTIC_TERRAIN_PT_record,
+    overview_gizmo.HAPTIC_TERRAIN_OT_overview_go,
+    overview_gizmo.HAPTIC_TERRAIN_GT_overview,
+    overview_gizmo.HAPTIC_TERRAIN_GGT_overview,
 )
 
 
@@ -60,12 +67,14 @@ def register() -> None:
     cache.folder = Path(bpy.utils.extension_path_user(__package__, path="cache"))
     saving.register()
     timer.register()
+    overlay.register()
     keymap.register()
 
 
 def unregister() -> None:
     """Remove what ``register`` added."""
     keymap.unregister()
+    overlay.unregister()
     timer.unregister()
     saving.unregister()
     bpy.types.TOPBAR_MT_file_import.remove(import_operator.draw_menu)  # type: ignore[arg-type]

@@ -54,7 +54,7 @@ def in_scene(window: Window, placement: Placement) -> Matrix:
     place = placement.to_scene(window.east, window.north, window.up)
     upright = placement.upright(window.east, window.north)
     turned = upright @ Quaternion((0.0, 0.0, 1.0), window.turn)
-    width = window.width * placement.frame.units_per_metre * abs(placement.matrix.to_scale().x)
+    width = window.width * placement.units_per_metre
     return Matrix.LocRotScale(place[:], turned, (width, width, width))
 
 

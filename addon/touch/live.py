@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 
 import bpy
 from proxygraph import Grid, Session, Window
 
 from ..formats import Georeference
-from ..terrain.frame import TerrainFrame
+from ..terrain.frame import Point, TerrainFrame
 from ..terrain.opened import OpenedGrids
 from ..terrain.preview import PreviewSurface
 from .handle import Handle
 from .placement import Placement
 from .recorder import Recorder
+from .shown import Look, Shown
 
 
 @dataclass(frozen=True)
@@ -25,6 +27,8 @@ class Readout:
     window: Window
     """Where the workspace lies."""
     in_contact: bool
+    proxy: Point
+    """Terrain metres; of the cursor."""
     coordinates: tuple[float, float] | None
     """Degrees east and north; ``None`` where the grid's projection is not known."""
     own: tuple[float, float]
@@ -98,6 +102,12 @@ class Touch:
     passivity_control: bool = False
     """What the session was told last."""
     readout: Readout | None = None
+    shown: Shown | None = None
+    """What the newest tick looks like in the scene; it stays while a picture is rendered."""
+    look: Look | None = None
+    """What was drawn last."""
+    looked: float = 0.0
+    """When, in seconds of the monotonic clock."""
 
 
 @dataclass
@@ -127,8 +137,16 @@ class Live:
     """Why touch ended by itself, or does not do what was chosen; empty where all is well."""
     rendering: bool = False
     """Nothing is written to the scene while it is rendered."""
+    watchers: list[Callable[[], None]] = field(default_factory=list)
+    """Called after touch has begun or ended."""
     opened: OpenedGrids = field(default_factory=OpenedGrids)
     """What was decoded for an import, so that touch need not do it again; until another file is loaded."""
+
+    def change(self, touch: Touch | None) -> None:
+        """Let a touch begin or end."""
+        self.touch = touch
+        for watcher in self.watchers:
+            watcher()
 
 
 live = Live()

@@ -23,7 +23,7 @@ def stop_touch(message: str = "") -> None:
         return
     touch.session.stop()
     collect_ticks(touch)
-    live.touch = None
+    live.change(None)
     if message:
         live.message = message
         log.warning(message)

@@ -14,7 +14,6 @@ from proxygraph import SessionError, State
 
 from ..terrain.frame import is_on_map, place_in_grid
 from ..terrain.kept import KeptError, recall_frame
-from ..terrain.view import redraw
 from .control import keep_control
 from .cursor import SIZE, cursor_object, shape_of, show_cursor
 from .follow import carry_target, follow_target, lay_window
@@ -22,6 +21,8 @@ from .follow_view import follow_view
 from .live import Readout, Touch, live
 from .model import keep_model
 from .placement import Placement
+from .refresh import refresh
+from .shown import Shown, force_in_scene, to_hand
 from .stop import collect_ticks, stop_touch
 from .windows import stretched
 
@@ -62,7 +63,7 @@ def tick() -> None:
     if not live.rendering:
         follow_view(touch, scene, placement)
         _show(touch, scene, placement, state)
-        redraw(bpy.context)
+        refresh(touch, scene)
 
 
 def lifted(up: float, preview: float | None) -> float:
@@ -86,6 +87,15 @@ def _show(touch: Touch, scene: bpy.types.Scene, placement: Placement, state: Sta
     turn = placement.upright(east, north)
     shape = shape_of(state.mode, in_contact=state.in_contact)
     show_cursor(cursor_object(scene), place, turn, size, shape)
+    touch.shown = Shown(
+        place=place,
+        turn=turn,
+        size=size,
+        shape=shape,
+        hand=to_hand(placement, state),
+        force=force_in_scene(placement, state, touch.workspace[0]),
+        units_per_metre=placement.units_per_metre,
+    )
 
 
 def _readout(touch: Touch, state: State) -> Readout:
@@ -97,6 +107,7 @@ def _readout(touch: Touch, state: State) -> Readout:
         mode=state.mode,
         window=state.window,
         in_contact=state.in_contact,
+        proxy=state.proxy,
         coordinates=coordinates,
         own=(touch.georeference.x(column), touch.georeference.y(row)),
         on_map=is_on_map(touch.grid.layout, east, north),

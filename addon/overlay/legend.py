@@ -1,0 +1,48 @@
+"""The cursor's four shapes, what each means, and the key that leads to it."""
+
+from __future__ import annotations
+
+from ..touch.cursor import CONTACT, FREE, PAN, ZOOM, Shape
+from ..touch.shown import Shown
+from .colours import PLATE, QUIET, TEXT, TEXT_SHADOW
+from .design import LINE_HEIGHT, MARGIN, PADDING, RISE, SYMBOL, TEXT_SIZE
+from .pen import draw_plate, text_width, use_font, write
+from .rect import Rect
+from .symbols import draw_symbol
+from .view import View
+
+UNLIT = 0.6
+"""Opacity of the shapes that the cursor does not have now."""
+
+
+def legend_lines(key: str, *, has_modes: bool) -> list[tuple[Shape, str]]:
+    """Each shape and what it means.
+
+    Args:
+        key: that grabs. has_modes: whether anything can be grabbed.
+    """
+    lines = [(FREE, "in the air"), (CONTACT, "on the ground")]
+    if has_modes:
+        lines += [(PAN, f"pan: {key} on the ground"), (ZOOM, f"zoom: {key} in the air")]
+    return lines
+
+
+def draw_legend(lines: list[tuple[Shape, str]], shown: Shown, view: View, taken: Rect | None) -> None:
+    """Draw it in the lower right corner, where there is room beside what is in the lower left one."""
+    scale = view.scale
+    line, margin, padding = LINE_HEIGHT * scale, MARGIN * scale, PADDING * scale
+    use_font(TEXT_SIZE * scale, TEXT_SHADOW)
+    beside = 4.0 * SYMBOL * scale
+    width = beside + max(text_width(words) for _shape, words in lines) + 2.0 * padding
+    right, bottom = view.free.right - margin, view.free.bottom + margin
+    plate = Rect(right - width, bottom, right, bottom + len(lines) * line + 2.0 * padding)
+    if plate.left < margin + (view.free.left if taken is None else taken.right):
+        return
+    draw_plate(plate, PLATE)
+    y = plate.top - padding - line + RISE * scale
+    for shape, words in lines:
+        lit = shape is shown.shape
+        x = plate.left + padding
+        draw_symbol(shape, x + SYMBOL * scale, y + RISE * scale, SYMBOL * scale, scale, 1.0 if lit else UNLIT)
+        write(words, x + beside, y, TEXT if lit else QUIET)
+        y -= line

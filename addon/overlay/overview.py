@@ -1,0 +1,82 @@
+"""The overview map: the whole grid, the window and the cursor on it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from gpu.types import Buffer, GPUBatch, GPUTexture
+from proxygraph import GridLayout
+
+from ..touch.live import Readout, Touch
+from .colours import LINE, PLATE, SHADOW
+from .design import MARGIN
+from .overview_map import OverviewMap, overview_map
+from .painting import Painting
+from .pen import draw_lines, draw_picture, draw_plate, flat_lines_batch
+from .rect import Rect, Segment
+from .symbols import draw_symbol
+from .view import View
+
+CURSOR = 4.5
+"""From the middle of the cursor's symbol to its sides, pixels at a scale of 1."""
+
+FRAME = 1.5
+"""Width of the window's outline, pixels at a scale of 1."""
+
+
+@dataclass
+class Overview:
+    """What is made once, or again when the window moves."""
+
+    painting: Painting
+    _texture: GPUTexture | None = None
+    _segments: list[Segment] = field(default_factory=list)
+    _outline: GPUBatch | None = None
+
+    def draw(self, touch: Touch, readout: Readout, view: View) -> None:
+        """Draw it, where there is room."""
+        chart = placed_map(view, touch.grid.layout)
+        if chart is None or touch.shown is None:
+            return
+        self._draw_picture(chart.rect, view.scale)
+        outline = self._outline_batch(chart.outline(readout.window, touch.workspace, view.scale))
+        if outline is not None:
+            draw_lines(outline, SHADOW, (FRAME + 2.0) * view.scale)
+            draw_lines(outline, LINE, FRAME * view.scale)
+        if readout.on_map:
+            x, y = chart.at(*readout.proxy[:2])
+            draw_symbol(touch.shown.shape, x, y, CURSOR * view.scale, view.scale)
+
+    def _draw_picture(self, rect: Rect, scale: float) -> None:
+        """The picture with a thin dark edge; the edge alone until it is painted."""
+        edge = scale
+        draw_plate(rect.inset(-edge, -edge, -edge, -edge), SHADOW)
+        texture = self._painted()
+        if texture is None:
+            draw_plate(rect, PLATE)
+        else:
+            draw_picture(texture, rect)
+
+    def _painted(self) -> GPUTexture | None:
+        picture = self.painting.finished() if self._texture is None else None
+        if picture is not None:
+            rows, columns, channels = picture.shape
+            pixels = Buffer("FLOAT", rows * columns * channels, memoryview(picture.ravel()))
+            self._texture = GPUTexture((columns, rows), format="RGBA8", data=pixels)
+        return self._texture
+
+    def _outline_batch(self, segments: list[Segment]) -> GPUBatch | None:
+        if segments != self._segments:
+            self._segments = segments
+            self._outline = flat_lines_batch(segments) if segments else None
+        return self._outline
+
+
+def placed_map(view: View, layout: GridLayout) -> OverviewMap | None:
+    """Where the map of a grid is in a view; ``None`` where the view has none."""
+    if not view.has_text:
+        return None
+    margin = MARGIN * view.scale
+    down, beside = view.navigation
+    free = view.free.inset(margin, margin, max(margin, beside), max(margin, down))
+    return overview_map(free, layout, view.scale)

@@ -1,0 +1,80 @@
+"""The readout: what the hand does, where it is, what it feels, and how long a length of terrain is."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from gpu.types import GPUBatch
+
+from ..touch.live import Readout, Touch
+from ..touch.shown import Shown
+from .colours import LINE, PLATE, QUIET, SHADOW, TEXT, TEXT_SHADOW, WARNING
+from .design import LINE_HEIGHT, MARGIN, PADDING, RISE, SYMBOL, TEXT_SIZE
+from .pen import at, draw_lines, draw_plate, flat_lines_batch, placed, text_width, use_font, write
+from .readout_rows import readout_rows, title
+from .rect import Rect
+from .scale_bar import LONGEST, ScaleBar, scale_bar, units_per_pixel
+from .symbols import draw_symbol
+from .view import View
+
+NAMES = 70.0
+"""Pixels at a scale of 1 that the column of names takes."""
+
+LEAST_WIDTH = 210.0
+"""Of the plate, pixels at a scale of 1: it must not twitch with every digit."""
+
+TICK = 5.0
+"""Height of the ends of the scale bar, pixels at a scale of 1."""
+
+
+@dataclass
+class ReadoutBlock:
+    """The block, and the bar that is made again when its length changes."""
+
+    _pixels: float = 0.0
+    _bar: GPUBatch | None = None
+
+    def draw(self, touch: Touch, readout: Readout, shown: Shown, view: View) -> Rect:
+        """Draw it from the lower left corner upwards.
+
+        Returns:
+            The plate under it.
+        """
+        scale = view.scale
+        rows = readout_rows(touch, readout)
+        bar = _bar(shown, view)
+        line, margin, padding = LINE_HEIGHT * scale, MARGIN * scale, PADDING * scale
+        left, bottom = view.free.left + margin, view.free.bottom + margin
+        use_font(TEXT_SIZE * scale, TEXT_SHADOW)
+        widest = text_width(max((row.value for row in rows), key=len))
+        inside = max(LEAST_WIDTH * scale, NAMES * scale + widest)
+        lines = 1 + len(rows) + (2 if bar is not None else 0)
+        plate = Rect(left, bottom, left + inside + 2.0 * padding, bottom + lines * line + 2.0 * padding)
+        draw_plate(plate, PLATE)
+        x, y = left + padding, plate.top - padding - line + RISE * scale
+        draw_symbol(shown.shape, x + SYMBOL * scale, y + RISE * scale, SYMBOL * scale, scale)
+        write(title(readout), x + 3.0 * SYMBOL * scale, y, TEXT)
+        for number, row in enumerate(rows, start=1):
+            write(row.name, x, y - number * line, QUIET)
+            write(row.value, x + NAMES * scale, y - number * line, WARNING if row.is_warning else TEXT)
+        if bar is not None:
+            hand = touch.workspace[0] / readout.window.width
+            write(bar.words(hand), x, bottom + padding + line + RISE * scale, TEXT)
+            self._draw_bar(bar, x, bottom + padding + RISE * scale, scale)
+        return plate
+
+    def _draw_bar(self, bar: ScaleBar, x: float, y: float, scale: float) -> None:
+        if self._bar is None or bar.pixels != self._pixels:
+            self._pixels = bar.pixels
+            half, end = TICK * scale / 2.0, bar.pixels
+            ends = [((0.0, -half), (0.0, half)), ((end, -half), (end, half))]
+            self._bar = flat_lines_batch([((0.0, 0.0), (end, 0.0)), *ends])
+        with placed(at(x, y)):
+            draw_lines(self._bar, SHADOW, 3.5 * scale)
+            draw_lines(self._bar, LINE, 1.5 * scale)
+
+
+def _bar(shown: Shown, view: View) -> ScaleBar | None:
+    """The bar of lengths at the cursor, across the view."""
+    units = units_per_pixel(view.perspective, view.to_right, shown.place, view.width)
+    return None if units is None else scale_bar(units / shown.units_per_metre, LONGEST * view.scale)
