@@ -10,7 +10,7 @@ from ..terrain.palettes import ORANGE, YELLOW, Colour
 Rgba = tuple[float, float, float, float]
 
 TEXT: Rgba = (1.0, 1.0, 1.0, 0.95)
-QUIET: Rgba = (1.0, 1.0, 1.0, 0.65)
+QUIET: Rgba = (1.0, 1.0, 1.0, 0.7)
 """Of names, and of what is not so now."""
 
 LINE: Rgba = (1.0, 1.0, 1.0, 0.9)
@@ -18,10 +18,10 @@ SHADOW: Rgba = (0.0, 0.0, 0.0, 0.55)
 """Around lines."""
 
 TEXT_SHADOW: Rgba = (0.0, 0.0, 0.0, 0.8)
-PLATE: Rgba = (0.0, 0.0, 0.0, 0.3)
-"""Under text, so that it can be read on snow."""
+PLATE: Rgba = (0.0, 0.0, 0.0, 0.7)
+"""Under text, so that it can be read on snow: in a 3D view, which mixes linear light, it is weaker."""
 
-BELOW_GROUND = 0.35
+BELOW_GROUND = 0.5
 """Share of its opacity that a thing has where the ground hides it."""
 
 

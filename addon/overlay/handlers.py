@@ -76,15 +76,15 @@ class Handlers:
         log.exception(FAILED)
 
 
-_handlers = Handlers()
+handlers = Handlers()
 
 
 def register() -> None:
     """Follow every touch from now on."""
-    live.watchers.append(_handlers.follow)
+    live.watchers.append(handlers.follow)
 
 
 def unregister() -> None:
     """Draw nothing any more."""
-    live.watchers.remove(_handlers.follow)
-    _handlers.remove()
+    live.watchers.remove(handlers.follow)
+    handlers.remove()

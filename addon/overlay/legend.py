@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from ..touch.cursor import CONTACT, FREE, PAN, ZOOM, Shape
 from ..touch.shown import Shown
 from .colours import PLATE, QUIET, TEXT, TEXT_SHADOW
@@ -21,14 +23,18 @@ def legend_lines(key: str, *, has_modes: bool) -> list[tuple[Shape, str]]:
     Args:
         key: that grabs. has_modes: whether anything can be grabbed.
     """
-    lines = [(FREE, "in the air"), (CONTACT, "on the ground")]
+    lines = [(FREE, "In the air"), (CONTACT, "On the ground")]
     if has_modes:
-        lines += [(PAN, f"pan: {key} on the ground"), (ZOOM, f"zoom: {key} in the air")]
+        lines += [(PAN, f"Pan: {key} on the ground"), (ZOOM, f"Zoom: {key} in the air")]
     return lines
 
 
-def draw_legend(lines: list[tuple[Shape, str]], shown: Shown, view: View, taken: Rect | None) -> None:
-    """Draw it in the lower right corner, where there is room beside what is in the lower left one."""
+def draw_legend(lines: list[tuple[Shape, str]], shown: Shown, view: View, taken: Sequence[Rect]) -> None:
+    """Draw it in the lower right corner, where there is room.
+
+    Args:
+        taken: where something is drawn already.
+    """
     scale = view.scale
     line, margin, padding = LINE_HEIGHT * scale, MARGIN * scale, PADDING * scale
     use_font(TEXT_SIZE * scale, TEXT_SHADOW)
@@ -36,7 +42,7 @@ def draw_legend(lines: list[tuple[Shape, str]], shown: Shown, view: View, taken:
     width = beside + max(text_width(words) for _shape, words in lines) + 2.0 * padding
     right, bottom = view.free.right - margin, view.free.bottom + margin
     plate = Rect(right - width, bottom, right, bottom + len(lines) * line + 2.0 * padding)
-    if plate.left < margin + (view.free.left if taken is None else taken.right):
+    if not plate.has_room(view.free, taken):
         return
     draw_plate(plate, PLATE)
     y = plate.top - padding - line + RISE * scale

@@ -9,7 +9,7 @@ import bpy
 from ..touch.live import Touch
 from .keys import grab_key
 from .legend import draw_legend, legend_lines
-from .overview import Overview
+from .overview import Overview, placed_map
 from .painting import Painting
 from .readout import ReadoutBlock
 from .scene_marks import draw_scene_marks
@@ -59,9 +59,14 @@ class Overlay:
         readout, shown = self.touch.readout, self.touch.shown
         if readout is None or shown is None or not view.has_text:
             return
-        if wanted.overview:
-            self.overview.draw(self.touch, readout, view)
-        taken = self.block.draw(self.touch, readout, shown, view) if wanted.readout else None
+        taken = [view.buttons]
+        chart = placed_map(view, self.touch.grid.layout) if wanted.overview else None
+        if chart is not None:
+            self.overview.draw(chart, self.touch, readout, shown, view)
+            taken.append(chart.rect)
+        plate = self.block.draw(self.touch, readout, shown, view, taken) if wanted.readout else None
+        if plate is not None:
+            taken.append(plate)
         if wanted.legend:
             lines = legend_lines(self.key, has_modes=self.touch.has_modes)
             draw_legend(lines, shown, view, taken)

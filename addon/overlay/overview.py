@@ -8,6 +8,7 @@ from gpu.types import Buffer, GPUBatch, GPUTexture
 from proxygraph import GridLayout
 
 from ..touch.live import Readout, Touch
+from ..touch.shown import Shown
 from .colours import LINE, PLATE, SHADOW
 from .design import MARGIN
 from .overview_map import OverviewMap, overview_map
@@ -33,11 +34,8 @@ class Overview:
     _segments: list[Segment] = field(default_factory=list)
     _outline: GPUBatch | None = None
 
-    def draw(self, touch: Touch, readout: Readout, view: View) -> None:
-        """Draw it, where there is room."""
-        chart = placed_map(view, touch.grid.layout)
-        if chart is None or touch.shown is None:
-            return
+    def draw(self, chart: OverviewMap, touch: Touch, readout: Readout, shown: Shown, view: View) -> None:
+        """Draw it."""
         self._draw_picture(chart.rect, view.scale)
         outline = self._outline_batch(chart.outline(readout.window, touch.workspace, view.scale))
         if outline is not None:
@@ -45,7 +43,7 @@ class Overview:
             draw_lines(outline, LINE, FRAME * view.scale)
         if readout.on_map:
             x, y = chart.at(*readout.proxy[:2])
-            draw_symbol(touch.shown.shape, x, y, CURSOR * view.scale, view.scale)
+            draw_symbol(shown.shape, x, y, CURSOR * view.scale, view.scale)
 
     def _draw_picture(self, rect: Rect, scale: float) -> None:
         """The picture with a thin dark edge; the edge alone until it is painted."""
@@ -77,6 +75,5 @@ def placed_map(view: View, layout: GridLayout) -> OverviewMap | None:
     if not view.has_text:
         return None
     margin = MARGIN * view.scale
-    down, beside = view.navigation
-    free = view.free.inset(margin, margin, max(margin, beside), max(margin, down))
+    free = view.free.inset(margin, margin, max(margin, view.buttons.width), max(margin, view.axes))
     return overview_map(free, layout, view.scale)

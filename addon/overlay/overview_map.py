@@ -20,11 +20,8 @@ MOST_OF_REGION = 0.35
 SMALLEST = 48.0
 """Pixels at a scale of 1, of the longer side: below there is nothing to see, and no map."""
 
-SMALLEST_WINDOW = 8.0
-"""Pixels at a scale of 1, of the window's longer side: a window that is smaller is shown as large as this."""
-
-MOST_TURNS = 8
-"""Times that a window may reach around the planet; one that reaches farther has no outline."""
+SMALLEST_WINDOW = 16.0
+"""Pixels at a scale of 1, of the window's longer side: a smaller one is shown so large, around the cursor."""
 
 
 @dataclass(frozen=True)
@@ -87,8 +84,8 @@ class OverviewMap:
             return [0.0]
         least, most = min(x for x, _y in corners), max(x for x, _y in corners)
         turn = self.rect.width
-        if most - least > MOST_TURNS * turn:
-            return []
+        if most - least >= turn:
+            return []  # it reaches around: there is nothing outside
         first, last = math.ceil((self.rect.left - most) / turn), math.floor((self.rect.right - least) / turn)
         return [turns * turn for turns in range(first, last + 1)]
 

@@ -145,6 +145,7 @@ def write(text: str, x: float, y: float, colour: Rgba) -> None:
     blf.position(FONT, x, y, 0.0)
     blf.color(FONT, *colour)
     blf.draw(FONT, text)
+    gpu.state.blend_set("ALPHA")  # which writing leaves switched off
 
 
 def text_width(text: str) -> float:

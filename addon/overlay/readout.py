@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from gpu.types import GPUBatch
@@ -34,11 +35,16 @@ class ReadoutBlock:
     _pixels: float = 0.0
     _bar: GPUBatch | None = None
 
-    def draw(self, touch: Touch, readout: Readout, shown: Shown, view: View) -> Rect:
-        """Draw it from the lower left corner upwards.
+    def draw(
+        self, touch: Touch, readout: Readout, shown: Shown, view: View, taken: Sequence[Rect]
+    ) -> Rect | None:
+        """Draw it from the lower left corner upwards, where there is room.
+
+        Args:
+            taken: where something is drawn already.
 
         Returns:
-            The plate under it.
+            The plate under it; ``None`` where there is no room.
         """
         scale = view.scale
         rows = readout_rows(touch, readout)
@@ -50,6 +56,8 @@ class ReadoutBlock:
         inside = max(LEAST_WIDTH * scale, NAMES * scale + widest)
         lines = 1 + len(rows) + (2 if bar is not None else 0)
         plate = Rect(left, bottom, left + inside + 2.0 * padding, bottom + lines * line + 2.0 * padding)
+        if not plate.has_room(view.free, taken):
+            return None
         draw_plate(plate, PLATE)
         x, y = left + padding, plate.top - padding - line + RISE * scale
         draw_symbol(shown.shape, x + SYMBOL * scale, y + RISE * scale, SYMBOL * scale, scale)
@@ -59,8 +67,9 @@ class ReadoutBlock:
             write(row.value, x + NAMES * scale, y - number * line, WARNING if row.is_warning else TEXT)
         if bar is not None:
             hand = touch.workspace[0] / readout.window.width
-            write(bar.words(hand), x, bottom + padding + line + RISE * scale, TEXT)
-            self._draw_bar(bar, x, bottom + padding + RISE * scale, scale)
+            y = bottom + padding + TICK * scale / 2.0
+            self._draw_bar(bar, x, y, scale)
+            write(bar.words(hand), x, y + 2.0 * RISE * scale, TEXT)
         return plate
 
     def _draw_bar(self, bar: ScaleBar, x: float, y: float, scale: float) -> None:

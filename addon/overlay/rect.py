@@ -44,6 +44,12 @@ class Rect:
         """The same elsewhere."""
         return Rect(self.left + x, self.bottom + y, self.right + x, self.top + y)
 
+    def has_room(self, free: Rect, taken: Iterable[Rect]) -> bool:
+        """Whether it lies in what is free of a region, and on nothing else."""
+        inside = self.left >= free.left and self.right <= free.right
+        inside = inside and self.bottom >= free.bottom and self.top <= free.top
+        return inside and not any(self.overlaps(other) for other in taken)
+
     def overlaps(self, other: Rect) -> bool:
         """Whether they have more than an edge in common."""
         return (

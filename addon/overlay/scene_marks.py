@@ -27,8 +27,11 @@ from .pen import (
 )
 from .view import View
 
-ARROW = 10.0
+ARROW = 4.0
 """Length of the arrow of the largest force, in sizes of the cursor."""
+
+CLEAR = 1.6
+"""Sizes of the cursor from the proxy to the arrow: above the cone, which would hide a small one."""
 
 LEAST_FORCE = 0.01
 """Newtons: less has no arrow."""
@@ -85,8 +88,10 @@ def _draw_ghost(shown: Shown, view: View, opacity: float) -> None:
 def _draw_arrow(shown: Shown, view: View, length: float, opacity: float) -> None:
     head = min(HEAD * shown.size, length)
     shaft = length - head
-    _draw_line(_along(shown.place, shown.force, shaft), FORCE, view, opacity)
-    tip = shown.place + shown.force.normalized() * shaft
+    way = shown.force.normalized()
+    start = shown.place + way * (CLEAR * shown.size)
+    _draw_line(_along(start, shown.force, shaft), FORCE, view, opacity)
+    tip = start + way * shaft
     with placed(_along(tip, shown.force, head)):
         draw_filled(_head(), faded(FORCE, opacity))
 

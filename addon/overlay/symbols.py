@@ -39,8 +39,9 @@ SYMBOLS: dict[Shape, Symbol] = {
 def draw_symbol(shape: Shape, x: float, y: float, size: float, scale: float, opacity: float = 1.0) -> None:
     """Draw a shape of the cursor around a place, so many pixels from its middle to its sides."""
     filled, edge = _batches(shape)
+    with placed(at(x, y, size + EDGE * scale)):
+        draw_filled(filled, faded(SHADOW, opacity))
     with placed(at(x, y, size)):
-        draw_lines(edge, faded(SHADOW, opacity), (EDGE + 2.0) * scale)
         draw_filled(filled, faded(SYMBOLS[shape].colour, opacity))
         draw_lines(edge, faded(LINE, opacity), EDGE * scale)
 

@@ -16,8 +16,8 @@ region's corner (``view3d_gizmo_navigate.cc``)."""
 GIZMO_OFFSET = 10.0
 """Pixels at a scale of 1 between the navigation gizmo and the region's corner (the same file)."""
 
-BUTTONS = 44.0
-"""Pixels at a scale of 1 that the column of navigation buttons takes from the region's right side."""
+BUTTONS = 44.0, 130.0
+"""Pixels at a scale of 1 that the column of navigation buttons takes from the right side, and downwards."""
 
 SIDES: dict[str, Side] = {"LEFT": "LEFT", "RIGHT": "RIGHT", "TOP": "TOP", "BOTTOM": "BOTTOM"}
 """Where a region that is no part of a quad view may lie, as ``Region.alignment`` has it."""
@@ -29,9 +29,10 @@ class View:
 
     free: Rect
     """What sidebar, toolbar and headers leave of it, pixels."""
-    navigation: tuple[float, float]
-    """Pixels that Blender's own things take in its upper right corner: the axes from the top down, and the
-    buttons below them from the right."""
+    axes: float
+    """Pixels from the top down that Blender's navigation gizmo takes; 0 where it is not shown."""
+    has_buttons: bool
+    """Whether Blender's navigation buttons are shown below it."""
     width: float
     """Pixels, of all of it."""
     scale: float
@@ -42,6 +43,13 @@ class View:
     """3 x 3; its columns are the view's right, up, and backward in the scene."""
     has_text: bool = True
     """Whether it shows map, readout and legend: of a quad view only the part that may be turned."""
+
+    @property
+    def buttons(self) -> Rect:
+        """Where Blender's navigation buttons are; of no size where they are not."""
+        width, height = (size * self.scale if self.has_buttons else 0.0 for size in BUTTONS)
+        right, top = self.free.right, self.free.top - self.axes
+        return Rect(right - width, top - height, right, top)
 
     @property
     def to_right(self) -> Vector:
@@ -63,7 +71,8 @@ def view_of(context: bpy.types.Context) -> View | None:
     whole = _rect(region)
     return View(
         free=uncovered(whole, beside).moved(-whole.left, -whole.bottom),
-        navigation=_navigation(space, context.preferences.view, scale),
+        axes=_axes(context.preferences.view) * scale if _has_navigation(space) else 0.0,
+        has_buttons=_has_navigation(space) and context.preferences.view.show_navigate_ui,
         width=region.width,
         scale=scale,
         perspective=shown.perspective_matrix,
@@ -76,14 +85,12 @@ def _rect(region: bpy.types.Region) -> Rect:
     return Rect(region.x, region.y, region.x + region.width, region.y + region.height)
 
 
-def _navigation(
-    space: bpy.types.SpaceView3D, preferences: bpy.types.PreferencesView, scale: float
-) -> tuple[float, float]:
-    if not (space.show_gizmo and space.show_gizmo_navigate):
-        return 0.0, 0.0
-    axes = (
-        GIZMO_REACH * (preferences.gizmo_size_navigate_view / 2.0 + GIZMO_OFFSET)
-        if preferences.mini_axis_type != "NONE"
-        else 0.0
-    )
-    return axes * scale, (BUTTONS if preferences.show_navigate_ui else 0.0) * scale
+def _has_navigation(space: bpy.types.SpaceView3D) -> bool:
+    return space.show_gizmo and space.show_gizmo_navigate
+
+
+def _axes(preferences: bpy.types.PreferencesView) -> float:
+    """Pixels at a scale of 1 from the region's top to the navigation buttons."""
+    if preferences.mini_axis_type == "NONE":
+        return 0.0
+    return GIZMO_REACH * (preferences.gizmo_size_navigate_v3d / 2.0 + GIZMO_OFFSET)

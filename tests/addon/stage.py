@@ -1,4 +1,4 @@
-"""A 3D view off the screen: the ground of a touch, and the overlay over it. Needs ``gpu`` in the background."""
+"""A 3D view off the screen: the ground of a touch, and the overlay over it."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 from mathutils import Euler, Matrix, Vector
 
-from tests.addon.scene import module, positions, triangles
+from tests.addon.scene import module, positions
 
 Pixels = npt.NDArray[np.uint8]
 
@@ -42,7 +42,6 @@ class Stage:
         tilt: float = 0.9,
         scale: float = 1.0,
         size: tuple[int, int] = (WIDTH, HEIGHT),
-        navigation: tuple[float, float] = (105.0, 44.0),
         orthographic: bool = False,
     ) -> None:
         """
@@ -59,7 +58,8 @@ class Stage:
         self.projection = _orthographic(distance, size) if orthographic else _perspective(size)
         self.view = module("overlay.view").View(
             free=module("overlay.rect").Rect(0.0, 0.0, *size),
-            navigation=(navigation[0] * scale, navigation[1] * scale),
+            axes=105.0 * scale,
+            has_buttons=True,
             width=size[0],
             scale=scale,
             perspective=self.projection @ self.looking,
@@ -71,6 +71,31 @@ class Stage:
         clip = self.view.perspective @ place.to_4d()
         x, y = (0.5 + 0.5 * clip[axis] / clip.w for axis in (0, 1))
         return x * self.size[0], y * self.size[1]
+
+    def draw_overlay(self, overlay: Any, wanted: Any) -> None:
+        """Draw the overlay alone, as a redraw of a 3D view would; nothing is read back."""
+        import gpu
+
+        pen = module("overlay.pen")
+        with self.canvas.bind(), gpu.matrix.push_pop(), gpu.matrix.push_pop_projection():
+            gpu.matrix.load_matrix(self.looking)
+            gpu.matrix.load_projection_matrix(self.projection)
+            with pen.clean_state():
+                overlay.draw_in_scene(self.view, wanted)
+            gpu.matrix.load_matrix(Matrix.Identity(4))
+            gpu.matrix.load_projection_matrix(_pixels(self.size))
+            with pen.clean_state():
+                overlay.draw_flat(self.view, wanted)
+
+    def read(self) -> Pixels:
+        """What was drawn, once it is: rows x columns x 4, the lowest row first."""
+        import gpu
+
+        with self.canvas.bind():
+            frame = gpu.state.active_framebuffer_get()
+            buffer: Any = frame.read_color(0, 0, *self.size, 4, 0, "UBYTE")
+        buffer.dimensions = self.size[0] * self.size[1] * 4
+        return np.array(buffer, dtype=np.uint8).reshape(self.size[1], self.size[0], 4)
 
     def draw(
         self,
@@ -87,24 +112,16 @@ class Stage:
         """
         import gpu
 
-        pen = module("overlay.pen")
         with self.canvas.bind():
-            frame = gpu.state.active_framebuffer_get()
-            frame.clear(color=colour, depth=1.0)
+            gpu.state.active_framebuffer_get().clear(color=colour, depth=1.0)
             with gpu.matrix.push_pop(), gpu.matrix.push_pop_projection():
                 gpu.matrix.load_matrix(self.looking)
                 gpu.matrix.load_projection_matrix(self.projection)
                 if ground is not None:
                     _draw_ground(ground)
-                with pen.clean_state():
-                    overlay.draw_in_scene(self.view, wanted)
-                gpu.matrix.load_matrix(Matrix.Identity(4))
-                gpu.matrix.load_projection_matrix(_pixels(self.size))
-                with pen.clean_state():
-                    overlay.draw_flat(self.view, wanted)
-            buffer = frame.read_color(0, 0, *self.size, 4, 0, "UBYTE")
-        buffer.dimensions = self.size[0] * self.size[1] * 4
-        return np.array(buffer, dtype=np.uint8).reshape(self.size[1], self.size[0], 4)
+                    _draw_cursor(bpy.data.objects["Haptic Cursor"])
+        self.draw_overlay(overlay, wanted)
+        return self.read()
 
 
 def wait_for_map(overlay: Any) -> None:
@@ -115,16 +132,14 @@ def wait_for_map(overlay: Any) -> None:
 def save(pixels: Pixels, path: Any) -> None:
     """Write a picture to look at."""
     image = bpy.data.images.new("stage", pixels.shape[1], pixels.shape[0])
-    image.pixels.foreach_set((pixels.astype(np.float32) / 255.0).ravel())
+    values: Any = image.pixels
+    values.foreach_set((pixels.astype(np.float32) / 255.0).ravel())
     image.filepath_raw, image.file_format = str(path), "PNG"
     image.save()
     bpy.data.images.remove(image)
 
 
 def _draw_ground(terrain: bpy.types.Object) -> None:
-    import gpu
-    from gpu_extras.batch import batch_for_shader
-
     mesh = terrain.data
     values = np.empty(len(mesh.vertices), dtype=np.float32)
     mesh.attributes["elevation"].data.foreach_get("value", values)
@@ -139,9 +154,30 @@ def _draw_ground(terrain: bpy.types.Object) -> None:
         shares = [tuple(swatch.element.color)[channel] for swatch in swatches]
         colours[:, channel] = np.interp(values, levels, shares) * light
     colours[:, :3] = module("overlay.colours").on_screen(colours[:, :3])
-    places = positions(mesh) @ np.array(terrain.matrix_world.to_3x3().transposed(), dtype=np.float32)
+    _draw_mesh(terrain, colours)
+
+
+def _draw_cursor(cursor: bpy.types.Object) -> None:
+    mesh: Any = cursor.data
+    colour = module("overlay.colours").opaque(tuple(mesh.materials[0].diffuse_color)[:3])
+    _draw_mesh(cursor, np.tile(np.array(colour, dtype=np.float32), (len(mesh.vertices), 1)))
+
+
+def _draw_mesh(thing: bpy.types.Object, colours: npt.NDArray[np.float32]) -> None:
+    """Draw it with the depth that hides what lies behind."""
+    import gpu
+    from gpu_extras.batch import batch_for_shader
+
+    mesh: Any = thing.data
+    mesh.calc_loop_triangles()
+    corners = np.empty(len(mesh.loop_triangles) * 3, dtype=np.int32)
+    mesh.loop_triangles.foreach_get("vertices", corners)
+    matrix = np.array(thing.matrix_world, dtype=np.float32)
+    places = positions(mesh) @ matrix[:3, :3].T + matrix[:3, 3]
     shader = gpu.shader.from_builtin("SMOOTH_COLOR")
-    batch = batch_for_shader(shader, "TRIS", {"pos": places, "color": colours}, indices=triangles(mesh))
+    content: Any = {"pos": places, "color": colours}
+    faces: Any = corners.reshape(-1, 3)
+    batch = batch_for_shader(shader, "TRIS", content, indices=faces)
     gpu.state.depth_test_set("LESS_EQUAL")
     gpu.state.depth_mask_set(True)
     batch.draw(shader)
@@ -173,5 +209,3 @@ def _pixels(size: tuple[int, int]) -> Matrix:
     matrix = Matrix.Diagonal((2.0 / size[0], 2.0 / size[1], -0.01, 1.0))
     matrix.translation = (-1.0, -1.0, 0.0)
     return matrix
-
-
