@@ -6,12 +6,13 @@ from collections.abc import Sequence
 
 from ..touch.cursor import CONTACT, FREE, PAN, ZOOM, Shape
 from ..touch.shown import Shown
-from .colours import PLATE, QUIET, TEXT, TEXT_SHADOW
+from .colours import PLATE, QUIET, TEXT
 from .design import LINE_HEIGHT, MARGIN, PADDING, RISE, SYMBOL, TEXT_SIZE
-from .pen import draw_plate, text_width, use_font, write
+from .pen import draw_plate
 from .rect import Rect
 from .symbols import draw_symbol
 from .view import View
+from .writing import Words, Writing
 
 UNLIT = 0.6
 """Opacity of the shapes that the cursor does not have now."""
@@ -29,7 +30,9 @@ def legend_lines(key: str, *, has_modes: bool) -> list[tuple[Shape, str]]:
     return lines
 
 
-def draw_legend(lines: list[tuple[Shape, str]], shown: Shown, view: View, taken: Sequence[Rect]) -> None:
+def draw_legend(
+    lines: list[tuple[Shape, str]], shown: Shown, view: View, writing: Writing, taken: Sequence[Rect]
+) -> None:
     """Draw it in the lower right corner, where there is room.
 
     Args:
@@ -37,18 +40,21 @@ def draw_legend(lines: list[tuple[Shape, str]], shown: Shown, view: View, taken:
     """
     scale = view.scale
     line, margin, padding = LINE_HEIGHT * scale, MARGIN * scale, PADDING * scale
-    use_font(TEXT_SIZE * scale, TEXT_SHADOW)
+    size = TEXT_SIZE * scale
+    letters = writing.use(size, "".join(meaning for _shape, meaning in lines))
     beside = 4.0 * SYMBOL * scale
-    width = beside + max(text_width(words) for _shape, words in lines) + 2.0 * padding
+    width = beside + max(letters.width(meaning) for _shape, meaning in lines) + 2.0 * padding
     right, bottom = view.free.right - margin, view.free.bottom + margin
     plate = Rect(right - width, bottom, right, bottom + len(lines) * line + 2.0 * padding)
     if not plate.has_room(view.free, taken):
         return
     draw_plate(plate, PLATE)
     y = plate.top - padding - line + RISE * scale
-    for shape, words in lines:
+    words = []
+    for shape, meaning in lines:
         lit = shape is shown.shape
         x = plate.left + padding
         draw_symbol(shape, x + SYMBOL * scale, y + RISE * scale, SYMBOL * scale, scale, 1.0 if lit else UNLIT)
-        write(words, x + beside, y, TEXT if lit else QUIET)
+        words.append(Words(meaning, x + beside, y, TEXT if lit else QUIET))
         y -= line
+    writing.draw("legend", words, size)

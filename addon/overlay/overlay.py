@@ -14,6 +14,7 @@ from .painting import Painting
 from .readout import ReadoutBlock
 from .scene_marks import draw_scene_marks
 from .view import View
+from .writing import Writing
 
 
 @dataclass(frozen=True)
@@ -48,6 +49,7 @@ class Overlay:
     key: str
     """That grabs, in words."""
     block: ReadoutBlock = field(default_factory=ReadoutBlock)
+    writing: Writing = field(default_factory=Writing)
 
     @staticmethod
     def of(context: bpy.types.Context, touch: Touch) -> Overlay:
@@ -64,12 +66,12 @@ class Overlay:
         if chart is not None:
             self.overview.draw(chart, self.touch, readout, shown, view)
             taken.append(chart.rect)
-        plate = self.block.draw(self.touch, readout, shown, view, taken) if wanted.readout else None
-        if plate is not None:
-            taken.append(plate)
+        if wanted.readout:
+            plate = self.block.draw(self.touch, readout, shown, view, self.writing, taken)
+            taken += [plate] if plate is not None else []
         if wanted.legend:
             lines = legend_lines(self.key, has_modes=self.touch.has_modes)
-            draw_legend(lines, shown, view, taken)
+            draw_legend(lines, shown, view, self.writing, taken)
 
     def draw_in_scene(self, view: View, wanted: Wanted) -> None:
         """Draw what has a place in the scene."""

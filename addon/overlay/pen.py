@@ -1,4 +1,4 @@
-"""Drawing with ``gpu`` and ``blf``: shapes that are made once and then only placed, lines, text, pictures."""
+"""Drawing with ``gpu``: lines, shapes and pictures that are made once, and then only placed."""
 
 from __future__ import annotations
 
@@ -8,7 +8,6 @@ from contextlib import contextmanager
 from functools import cache
 from typing import Any
 
-import blf
 import gpu
 from gpu.types import GPUBatch, GPUTexture
 from gpu_extras.batch import batch_for_shader
@@ -16,9 +15,6 @@ from mathutils import Matrix
 
 from .colours import Rgba
 from .rect import Point, Rect, Segment
-
-FONT = 0
-"""Blender's own."""
 
 ROUND = 32
 """Corners of a circle: more are not seen at the sizes that are drawn."""
@@ -41,7 +37,6 @@ def clean_state() -> Iterator[None]:
         gpu.state.depth_test_set(depth)
         gpu.state.depth_mask_set(writes)
         gpu.state.line_width_set(width)
-        blf.disable(FONT, blf.SHADOW)
 
 
 @contextmanager
@@ -130,27 +125,6 @@ def circle(radius: float = 1.0) -> list[Point]:
     """The corners of a circle around (0, 0), counter-clockwise."""
     angles = [2.0 * math.pi * number / ROUND for number in range(ROUND)]
     return [(radius * math.cos(angle), radius * math.sin(angle)) for angle in angles]
-
-
-def use_font(size: float, shadow: Rgba) -> None:
-    """Write what follows in a size, pixels, with a shadow that sets it off from anything."""
-    blf.size(FONT, size)
-    blf.enable(FONT, blf.SHADOW)
-    blf.shadow(FONT, 3, *shadow)
-    blf.shadow_offset(FONT, 1, -1)
-
-
-def write(text: str, x: float, y: float, colour: Rgba) -> None:
-    """Write on a base line from its left end."""
-    blf.position(FONT, x, y, 0.0)
-    blf.color(FONT, *colour)
-    blf.draw(FONT, text)
-    gpu.state.blend_set("ALPHA")  # which writing leaves switched off
-
-
-def text_width(text: str) -> float:
-    """Pixels, in the size that was set last."""
-    return float(blf.dimensions(FONT, text)[0])
 
 
 def _stretched(rect: Rect) -> Matrix:

@@ -9,14 +9,15 @@ from gpu.types import GPUBatch
 
 from ..touch.live import Readout, Touch
 from ..touch.shown import Shown
-from .colours import LINE, PLATE, QUIET, SHADOW, TEXT, TEXT_SHADOW, WARNING
+from .colours import LINE, PLATE, QUIET, SHADOW, TEXT, WARNING
 from .design import LINE_HEIGHT, MARGIN, PADDING, RISE, SYMBOL, TEXT_SIZE
-from .pen import at, draw_lines, draw_plate, flat_lines_batch, placed, text_width, use_font, write
+from .pen import at, draw_lines, draw_plate, flat_lines_batch, placed
 from .readout_rows import readout_rows, title
 from .rect import Rect
 from .scale_bar import LONGEST, ScaleBar, scale_bar, units_per_pixel
 from .symbols import draw_symbol
 from .view import View
+from .writing import Words, Writing
 
 NAMES = 70.0
 """Pixels at a scale of 1 that the column of names takes."""
@@ -36,7 +37,13 @@ class ReadoutBlock:
     _bar: GPUBatch | None = None
 
     def draw(
-        self, touch: Touch, readout: Readout, shown: Shown, view: View, taken: Sequence[Rect]
+        self,
+        touch: Touch,
+        readout: Readout,
+        shown: Shown,
+        view: View,
+        writing: Writing,
+        taken: Sequence[Rect],
     ) -> Rect | None:
         """Draw it from the lower left corner upwards, where there is room.
 
@@ -51,8 +58,8 @@ class ReadoutBlock:
         bar = _bar(shown, view)
         line, margin, padding = LINE_HEIGHT * scale, MARGIN * scale, PADDING * scale
         left, bottom = view.free.left + margin, view.free.bottom + margin
-        use_font(TEXT_SIZE * scale, TEXT_SHADOW)
-        widest = text_width(max((row.value for row in rows), key=len))
+        size = TEXT_SIZE * scale
+        widest = writing.use(size).width(max((row.value for row in rows), key=len))
         inside = max(LEAST_WIDTH * scale, NAMES * scale + widest)
         lines = 1 + len(rows) + (2 if bar is not None else 0)
         plate = Rect(left, bottom, left + inside + 2.0 * padding, bottom + lines * line + 2.0 * padding)
@@ -61,15 +68,17 @@ class ReadoutBlock:
         draw_plate(plate, PLATE)
         x, y = left + padding, plate.top - padding - line + RISE * scale
         draw_symbol(shown.shape, x + SYMBOL * scale, y + RISE * scale, SYMBOL * scale, scale)
-        write(title(readout), x + 3.0 * SYMBOL * scale, y, TEXT)
+        words = [Words(title(readout), x + 3.0 * SYMBOL * scale, y, TEXT)]
         for number, row in enumerate(rows, start=1):
-            write(row.name, x, y - number * line, QUIET)
-            write(row.value, x + NAMES * scale, y - number * line, WARNING if row.is_warning else TEXT)
+            words.append(Words(row.name, x, y - number * line, QUIET))
+            colour = WARNING if row.is_warning else TEXT
+            words.append(Words(row.value, x + NAMES * scale, y - number * line, colour))
         if bar is not None:
             hand = touch.workspace[0] / readout.window.width
             y = bottom + padding + TICK * scale / 2.0
             self._draw_bar(bar, x, y, scale)
-            write(bar.words(hand), x, y + 2.0 * RISE * scale, TEXT)
+            words.append(Words(bar.words(hand), x, y + 2.0 * RISE * scale, TEXT))
+        writing.draw("readout", words, size)
         return plate
 
     def _draw_bar(self, bar: ScaleBar, x: float, y: float, scale: float) -> None:

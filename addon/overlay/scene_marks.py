@@ -31,7 +31,7 @@ ARROW = 4.0
 """Length of the arrow of the largest force, in sizes of the cursor."""
 
 CLEAR = 1.6
-"""Sizes of the cursor from the proxy to the arrow: above the cone, which would hide a small one."""
+"""Sizes of the cursor by which an arrow that points up is longer: the cone hides so much of it."""
 
 LEAST_FORCE = 0.01
 """Newtons: less has no arrow."""
@@ -86,12 +86,12 @@ def _draw_ghost(shown: Shown, view: View, opacity: float) -> None:
 
 
 def _draw_arrow(shown: Shown, view: View, length: float, opacity: float) -> None:
-    head = min(HEAD * shown.size, length)
-    shaft = length - head
     way = shown.force.normalized()
-    start = shown.place + way * (CLEAR * shown.size)
-    _draw_line(_along(start, shown.force, shaft), FORCE, view, opacity)
-    tip = start + way * shaft
+    upright = max(way.dot(shown.turn @ Vector((0.0, 0.0, 1.0))), 0.0)
+    head = min(HEAD * shown.size, length)
+    shaft = length - head + CLEAR * shown.size * upright**4  # hidden as far as it is within the cone
+    _draw_line(_along(shown.place, shown.force, shaft), FORCE, view, opacity)
+    tip = shown.place + way * shaft
     with placed(_along(tip, shown.force, head)):
         draw_filled(_head(), faded(FORCE, opacity))
 

@@ -3,8 +3,8 @@
     BLENDER_USER_RESOURCES=FOLDER python tests/bench/measure_overlay.py [--grid LABEL] [--picture PNG]
 
 It needs Blender 5.2, which can draw in the background. The hand touches the ground and moves, and between two
-frames the servo runs for as long as between two of a screen: words, arrow, ghost and window are new in each. What
-is timed is our thread, until all is handed to the driver; the driver finishes before the next frame begins.
+frames the servo runs for as long as between two of a screen: words, arrow, ghost and window are new in each.
+What is timed is our thread until all is handed to the driver, which finishes before the next frame begins.
 What this does not show: the time of a graphics card (here a processor may draw), Blender's own redraw, and a
 window's waiting for the screen.
 """

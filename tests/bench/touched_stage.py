@@ -10,7 +10,7 @@ from typing import Any
 import bpy
 from enable_addon import enable
 
-from tests.addon.scene import module
+from tests.addon.scene import import_grid, module
 from tests.addon.stage import Stage, save, wait_for_map, why_not
 
 DEPTH = 0.004
@@ -75,7 +75,7 @@ def touched_stage(grid: Path) -> TouchedStage:
         raise SystemExit(reason)
     bpy.ops.wm.read_factory_settings(use_empty=True)
     enable()
-    bpy.ops.haptic_terrain.import_grid(filepath=str(grid.resolve()))
+    import_grid(grid.resolve())
     touch = module("touch.start").start_touch(bpy.context, on_the_clock=False)
     bpy.data.objects.remove(touch.target.find())  # the hand circles by itself
     overlay = module("overlay.handlers").handlers.overlay
