@@ -16,7 +16,7 @@ from typing import Any
 import blf
 import gpu
 import numpy as np
-from gpu.types import GPUBatch, GPUOffScreen, GPUTexture
+from gpu.types import GPUBatch, GPUFrameBuffer, GPUTexture
 from gpu_extras.batch import batch_for_shader
 from mathutils import Matrix
 
@@ -120,20 +120,9 @@ class Letters:
             letter: (number % ACROSS * width, number // ACROSS * height)
             for number, letter in enumerate(letters)
         }
-        canvas = GPUOffScreen(width * ACROSS, height * math.ceil(len(letters) / ACROSS), format="RGBA8")
-        with canvas.bind(), gpu.matrix.push_pop(), gpu.matrix.push_pop_projection():
-            gpu.state.active_framebuffer_get().clear(color=(0.0, 0.0, 0.0, 0.0))
-            gpu.matrix.load_matrix(Matrix.Identity(4))
-            gpu.matrix.load_projection_matrix(_in_pixels(canvas.width, canvas.height))
-            blf.enable(FONT, blf.SHADOW)
-            blf.shadow(FONT, 3, *TEXT_SHADOW)
-            blf.shadow_offset(FONT, 1, -1)
-            blf.color(FONT, *WHITE)
-            for letter, (left, lower) in places.items():
-                blf.position(FONT, left + SHADOW, lower + base, 0.0)
-                blf.draw(FONT, letter)
-            blf.disable(FONT, blf.SHADOW)
-        return Letters(size, _copied(canvas), places, advances, (width, height), base)
+        rows = math.ceil(len(letters) / ACROSS)
+        picture = _painted(places, base, (width * ACROSS, height * rows))
+        return Letters(size, picture, places, advances, (width, height), base)
 
     def width(self, text: str) -> float:
         """Pixels that a text takes."""
@@ -165,13 +154,29 @@ def _quads(letters: Letters, words: Sequence[Words]) -> list[tuple[int, int, int
     return quads
 
 
-def _copied(canvas: GPUOffScreen) -> GPUTexture:
-    """What was drawn, as a texture that nothing is drawn into: drivers wait before they read one of those."""
-    width, height = canvas.width, canvas.height
-    with canvas.bind():
-        pixels: Any = gpu.state.active_framebuffer_get().read_color(0, 0, width, height, 4, 0, "FLOAT")
-    pixels.dimensions = width * height * 4
-    return GPUTexture((width, height), format="RGBA8", data=pixels)
+def _painted(places: dict[str, tuple[int, int]], base: int, size: tuple[int, int]) -> GPUTexture:
+    """Let ``blf`` draw letters into their cells.
+
+    What they are drawn into is copied: drivers wait before they read from something that was drawn into.
+    """
+    # Making a GPUOffScreen would take the framebuffer away that is being drawn into.
+    canvas = GPUTexture(size, format="RGBA8")
+    frame: Any = GPUFrameBuffer(color_slots=canvas)  # which does not hold it
+    with frame.bind(), gpu.matrix.push_pop(), gpu.matrix.push_pop_projection():
+        frame.clear(color=(0.0, 0.0, 0.0, 0.0))
+        gpu.matrix.load_matrix(Matrix.Identity(4))
+        gpu.matrix.load_projection_matrix(_in_pixels(*size))
+        blf.enable(FONT, blf.SHADOW)
+        blf.shadow(FONT, 3, *TEXT_SHADOW)
+        blf.shadow_offset(FONT, 1, -1)
+        blf.color(FONT, *WHITE)
+        for letter, (left, lower) in places.items():
+            blf.position(FONT, left + SHADOW, lower + base, 0.0)
+            blf.draw(FONT, letter)
+        blf.disable(FONT, blf.SHADOW)
+        pixels = frame.read_color(0, 0, *size, 4, 0, "FLOAT")
+    pixels.dimensions = size[0] * size[1] * 4
+    return GPUTexture(size, format="RGBA8", data=pixels)
 
 
 def _advance(letter: str) -> float:
