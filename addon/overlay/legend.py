@@ -10,7 +10,7 @@ from .colours import PLATE, QUIET, TEXT
 from .design import LINE_HEIGHT, MARGIN, PADDING, RISE, SYMBOL, TEXT_SIZE
 from .pen import draw_plate
 from .rect import Rect
-from .symbols import draw_symbol
+from .symbols import PlacedSymbol, Symbols
 from .view import View
 from .writing import Words, Writing
 
@@ -31,7 +31,12 @@ def legend_lines(key: str, *, has_modes: bool) -> list[tuple[Shape, str]]:
 
 
 def draw_legend(
-    lines: list[tuple[Shape, str]], shown: Shown, view: View, writing: Writing, taken: Sequence[Rect]
+    lines: list[tuple[Shape, str]],
+    shown: Shown,
+    view: View,
+    symbols: Symbols,
+    writing: Writing,
+    taken: Sequence[Rect],
 ) -> None:
     """Draw it in the lower right corner, where there is room.
 
@@ -50,11 +55,15 @@ def draw_legend(
         return
     draw_plate(plate, PLATE)
     y = plate.top - padding - line + RISE * scale
-    words = []
+    words, shapes = [], []
     for shape, meaning in lines:
         lit = shape is shown.shape
         x = plate.left + padding
-        draw_symbol(shape, x + SYMBOL * scale, y + RISE * scale, SYMBOL * scale, scale, 1.0 if lit else UNLIT)
+        opacity = 1.0 if lit else UNLIT
+        shapes.append(
+            PlacedSymbol(shape, x + SYMBOL * scale, y + RISE * scale, SYMBOL * scale, opacity=opacity)
+        )
         words.append(Words(meaning, x + beside, y, TEXT if lit else QUIET))
         y -= line
+    symbols.draw(shapes, scale)
     writing.draw("legend", words, size)

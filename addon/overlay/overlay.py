@@ -13,6 +13,7 @@ from .overview import Overview, placed_map
 from .painting import Painting
 from .readout import ReadoutBlock
 from .scene_marks import draw_scene_marks
+from .symbols import Symbols
 from .view import View
 from .writing import Writing
 
@@ -49,6 +50,8 @@ class Overlay:
     key: str
     """That grabs, in words."""
     block: ReadoutBlock = field(default_factory=ReadoutBlock)
+    symbols: Symbols = field(default_factory=Symbols)
+    """Of the legend."""
     writing: Writing = field(default_factory=Writing)
 
     @staticmethod
@@ -71,7 +74,7 @@ class Overlay:
             taken += [plate] if plate is not None else []
         if wanted.legend:
             lines = legend_lines(self.key, has_modes=self.touch.has_modes)
-            draw_legend(lines, shown, view, self.writing, taken)
+            draw_legend(lines, shown, view, self.symbols, self.writing, taken)
 
     def draw_in_scene(self, view: View, wanted: Wanted) -> None:
         """Draw what has a place in the scene."""

@@ -15,7 +15,7 @@ from .overview_map import OverviewMap, overview_map
 from .painting import Painting
 from .pen import draw_lines, draw_picture, draw_plate, flat_lines_batch
 from .rect import Rect, Segment
-from .symbols import draw_symbol
+from .symbols import PlacedSymbol, Symbols
 from .view import View
 
 CURSOR = 4.5
@@ -30,6 +30,7 @@ class Overview:
     """What is made once, or again when the window moves."""
 
     painting: Painting
+    _symbols: Symbols = field(default_factory=Symbols)
     _texture: GPUTexture | None = None
     _segments: list[Segment] = field(default_factory=list)
     _outline: GPUBatch | None = None
@@ -43,7 +44,7 @@ class Overview:
             draw_lines(outline, LINE, FRAME * view.scale)
         if readout.on_map:
             x, y = chart.at(*readout.proxy[:2])
-            draw_symbol(shown.shape, x, y, CURSOR * view.scale, view.scale)
+            self._symbols.draw([PlacedSymbol(shown.shape, x, y, CURSOR * view.scale)], view.scale)
 
     def _draw_picture(self, rect: Rect, scale: float) -> None:
         """The picture with a thin dark edge; the edge alone until it is painted."""

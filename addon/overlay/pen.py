@@ -21,6 +21,9 @@ ROUND = 32
 
 Place = tuple[float, float, float]
 
+Coloured = tuple[list[Point], list[Rgba], list[tuple[int, int, int]]]
+"""Corners in the region, pixels; the colour of each; and the corners of each triangle."""
+
 
 @contextmanager
 def clean_state() -> Iterator[None]:
@@ -86,6 +89,27 @@ def cone_batch(radius: float) -> GPUBatch:
     corners = [*base, (0.0, 0.0, 1.0), (0.0, 0.0, 0.0)]
     batch: GPUBatch = batch_for_shader(shader, "TRIS", {"pos": corners}, indices=sides + floor)
     return batch
+
+
+def coloured_batch(shapes: Sequence[Coloured]) -> GPUBatch:
+    """Shapes whose colours run from corner to corner, for ``draw_coloured``, to be kept."""
+    places: list[Place] = []
+    colours: list[Rgba] = []
+    faces: list[tuple[int, int, int]] = []
+    for corners, shades, triangles in shapes:
+        first = len(places)
+        places += [(x, y, 0.0) for x, y in corners]
+        colours += shades
+        faces += [(first + one, first + two, first + three) for one, two, three in triangles]
+    shader = gpu.shader.from_builtin("SMOOTH_COLOR")
+    return batch_for_shader(shader, "TRIS", {"pos": places, "color": colours}, indices=faces)
+
+
+def draw_coloured(batch: GPUBatch) -> None:
+    """Draw triangles in their own colours."""
+    shader = gpu.shader.from_builtin("SMOOTH_COLOR")
+    shader.bind()
+    batch.draw(shader)
 
 
 def draw_lines(batch: GPUBatch, colour: Rgba, width: float) -> None:

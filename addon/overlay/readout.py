@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from gpu.types import GPUBatch
 
@@ -15,7 +15,7 @@ from .pen import at, draw_lines, draw_plate, flat_lines_batch, placed
 from .readout_rows import readout_rows, title
 from .rect import Rect
 from .scale_bar import LONGEST, ScaleBar, scale_bar, units_per_pixel
-from .symbols import draw_symbol
+from .symbols import PlacedSymbol, Symbols
 from .view import View
 from .writing import Words, Writing
 
@@ -33,6 +33,7 @@ TICK = 5.0
 class ReadoutBlock:
     """The block, and the bar that is made again when its length changes."""
 
+    _symbols: Symbols = field(default_factory=Symbols)
     _pixels: float = 0.0
     _bar: GPUBatch | None = None
 
@@ -67,7 +68,8 @@ class ReadoutBlock:
             return None
         draw_plate(plate, PLATE)
         x, y = left + padding, plate.top - padding - line + RISE * scale
-        draw_symbol(shown.shape, x + SYMBOL * scale, y + RISE * scale, SYMBOL * scale, scale)
+        symbol = PlacedSymbol(shown.shape, x + SYMBOL * scale, y + RISE * scale, SYMBOL * scale)
+        self._symbols.draw([symbol], scale)
         words = [Words(title(readout), x + 3.0 * SYMBOL * scale, y, TEXT)]
         for number, row in enumerate(rows, start=1):
             words.append(Words(row.name, x, y - number * line, QUIET))
