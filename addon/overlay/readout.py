@@ -12,7 +12,7 @@ from ..touch.shown import Shown
 from .colours import LINE, PLATE, QUIET, SHADOW, TEXT, WARNING
 from .design import LINE_HEIGHT, MARGIN, PADDING, RISE, SYMBOL, TEXT_SIZE
 from .pen import at, draw_lines, draw_plate, flat_lines_batch, placed
-from .readout_rows import readout_rows, title
+from .readout_rows import Row, readout_rows, title
 from .rect import Rect
 from .scale_bar import LONGEST, ScaleBar, scale_bar, units_per_pixel
 from .symbols import PlacedSymbol, Symbols
@@ -54,33 +54,22 @@ class ReadoutBlock:
         Returns:
             The plate under it; ``None`` where there is no room.
         """
-        scale = view.scale
-        rows = readout_rows(touch, readout)
-        bar = _bar(shown, view)
-        line, margin, padding = LINE_HEIGHT * scale, MARGIN * scale, PADDING * scale
-        left, bottom = view.free.left + margin, view.free.bottom + margin
-        size = TEXT_SIZE * scale
-        widest = writing.use(size).width(max((row.value for row in rows), key=len))
-        inside = max(LEAST_WIDTH * scale, NAMES * scale + widest)
-        lines = 1 + len(rows) + (2 if bar is not None else 0)
-        plate = Rect(left, bottom, left + inside + 2.0 * padding, bottom + lines * line + 2.0 * padding)
+        rows, bar = readout_rows(touch, readout), _bar(shown, view)
+        plate = _plate(rows, bar, view, writing)
         if not plate.has_room(view.free, taken):
             return None
         draw_plate(plate, PLATE)
-        x, y = left + padding, plate.top - padding - line + RISE * scale
+        scale = view.scale
+        x, y = plate.left + PADDING * scale, plate.top - (PADDING + LINE_HEIGHT - RISE) * scale
         symbol = PlacedSymbol(shown.shape, x + SYMBOL * scale, y + RISE * scale, SYMBOL * scale)
         self._symbols.draw([symbol], scale)
-        words = [Words(title(readout), x + 3.0 * SYMBOL * scale, y, TEXT)]
-        for number, row in enumerate(rows, start=1):
-            words.append(Words(row.name, x, y - number * line, QUIET))
-            colour = WARNING if row.is_warning else TEXT
-            words.append(Words(row.value, x + NAMES * scale, y - number * line, colour))
+        words = [Words(title(readout), x + 3.0 * SYMBOL * scale, y, TEXT), *_table(rows, x, y, scale)]
         if bar is not None:
-            hand = touch.workspace[0] / readout.window.width
-            y = bottom + padding + TICK * scale / 2.0
+            y = plate.bottom + (PADDING + TICK / 2.0) * scale
             self._draw_bar(bar, x, y, scale)
+            hand = touch.workspace[0] / readout.window.width
             words.append(Words(bar.words(hand), x, y + 2.0 * RISE * scale, TEXT))
-        writing.draw("readout", words, size)
+        writing.draw("readout", words, TEXT_SIZE * scale)
         return plate
 
     def _draw_bar(self, bar: ScaleBar, x: float, y: float, scale: float) -> None:
@@ -92,6 +81,30 @@ class ReadoutBlock:
         with placed(at(x, y)):
             draw_lines(self._bar, SHADOW, 3.5 * scale)
             draw_lines(self._bar, LINE, 1.5 * scale)
+
+
+def _plate(rows: Sequence[Row], bar: ScaleBar | None, view: View, writing: Writing) -> Rect:
+    """As large as the title, the rows and the bar need it."""
+    longest = max((row.value for row in rows), key=len)
+    width = NAMES * view.scale + writing.use(TEXT_SIZE * view.scale, longest).width(longest)
+    lines = 1 + len(rows) + (2 if bar is not None else 0)
+    left, bottom = view.free.left + MARGIN * view.scale, view.free.bottom + MARGIN * view.scale
+    return Rect(
+        left,
+        bottom,
+        left + max(LEAST_WIDTH * view.scale, width) + 2.0 * PADDING * view.scale,
+        bottom + (lines * LINE_HEIGHT + 2.0 * PADDING) * view.scale,
+    )
+
+
+def _table(rows: Sequence[Row], x: float, y: float, scale: float) -> list[Words]:
+    """Names and values, below a base line."""
+    words = []
+    for number, row in enumerate(rows, start=1):
+        base = y - number * LINE_HEIGHT * scale
+        words.append(Words(row.name, x, base, QUIET))
+        words.append(Words(row.value, x + NAMES * scale, base, WARNING if row.is_warning else TEXT))
+    return words
 
 
 def _bar(shown: Shown, view: View) -> ScaleBar | None:

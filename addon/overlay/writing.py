@@ -174,6 +174,7 @@ def _painted(places: dict[str, tuple[int, int]], base: int, size: tuple[int, int
             blf.position(FONT, left + SHADOW, lower + base, 0.0)
             blf.draw(FONT, letter)
         blf.disable(FONT, blf.SHADOW)
+        gpu.state.blend_set("ALPHA")  # which blf leaves switched off
         pixels = frame.read_color(0, 0, *size, 4, 0, "FLOAT")
     pixels.dimensions = size[0] * size[1] * 4
     return GPUTexture(size, format="RGBA8", data=pixels)

@@ -140,6 +140,15 @@ def test_readout_and_legend_are_in_the_lower_corners(touch: Any) -> None:
 
 
 @drawing
+def test_the_first_picture_is_as_good_as_the_next(touch: Any) -> None:
+    """Letters and batches are made in the middle of the first one."""
+    everything = wanted("overview", "readout", "legend", "force", "ghost")
+    stage = Stage(at=touch.shown.place)
+    first = stage.draw(overlay(), everything)
+    assert np.array_equal(first, stage.draw(overlay(), everything))
+
+
+@drawing
 @pytest.mark.parametrize("background", [0.0, 1.0])
 def test_text_can_be_read_on_light_and_on_dark(touch: Any, background: float) -> None:
     colour = (background, background, background, 1.0)
