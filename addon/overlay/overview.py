@@ -5,16 +5,17 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from gpu.types import Buffer, GPUBatch, GPUTexture
-from proxygraph import GridLayout
+from proxygraph import GridLayout, Window
 
 from ..touch.live import Readout, Touch
 from ..touch.shown import Shown
+from ..touch.windows import lies
 from .colours import LINE, PLATE, SHADOW
 from .design import MARGIN
 from .overview_map import OverviewMap, overview_map
 from .painting import Painting
 from .pen import draw_lines, draw_picture, draw_plate, flat_lines_batch
-from .rect import Rect, Segment
+from .rect import Rect
 from .symbols import PlacedSymbol, Symbols
 from .view import View
 
@@ -32,13 +33,14 @@ class Overview:
     painting: Painting
     _symbols: Symbols = field(default_factory=Symbols)
     _texture: GPUTexture | None = None
-    _segments: list[Segment] = field(default_factory=list)
+    _outlined: tuple[object, ...] = ()
+    """What the outline was made of."""
     _outline: GPUBatch | None = None
 
     def draw(self, chart: OverviewMap, touch: Touch, readout: Readout, shown: Shown, view: View) -> None:
         """Draw it."""
         self._draw_picture(chart.rect, view.scale)
-        outline = self._outline_batch(chart.outline(readout.window, touch.workspace, view.scale))
+        outline = self._outline_of(chart, readout.window, touch.workspace, view.scale)
         if outline is not None:
             draw_lines(outline, SHADOW, (FRAME + 2.0) * view.scale)
             draw_lines(outline, LINE, FRAME * view.scale)
@@ -64,9 +66,13 @@ class Overview:
             self._texture = GPUTexture((columns, rows), format="RGBA8", data=pixels)
         return self._texture
 
-    def _outline_batch(self, segments: list[Segment]) -> GPUBatch | None:
-        if segments != self._segments:
-            self._segments = segments
+    def _outline_of(
+        self, chart: OverviewMap, window: Window, workspace: tuple[float, float, float], scale: float
+    ) -> GPUBatch | None:
+        outlined = chart, lies(window), scale
+        if outlined != self._outlined:
+            self._outlined = outlined
+            segments = chart.outline(window, workspace, scale)
             self._outline = flat_lines_batch(segments) if segments else None
         return self._outline
 
