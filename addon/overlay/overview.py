@@ -14,7 +14,7 @@ from .colours import LINE, PLATE, SHADOW
 from .design import MARGIN
 from .overview_map import OverviewMap, overview_map
 from .painting import Painting
-from .pen import draw_lines, draw_picture, draw_plate, flat_lines_batch
+from .pen import at, draw_lines, draw_picture, draw_plate, flat_lines_batch, placed
 from .rect import Rect
 from .symbols import PlacedSymbol, Symbols
 from .view import View
@@ -46,7 +46,8 @@ class Overview:
             draw_lines(outline, LINE, FRAME * view.scale)
         if readout.on_map:
             x, y = chart.at(*readout.proxy[:2])
-            self._symbols.draw([PlacedSymbol(shown.shape, x, y, CURSOR * view.scale)], view.scale)
+            with placed(at(x, y)):  # it moves with every picture, and need not be made again for that
+                self._symbols.draw([PlacedSymbol(shown.shape, 0.0, 0.0, CURSOR * view.scale)], view.scale)
 
     def _draw_picture(self, rect: Rect, scale: float) -> None:
         """The picture with a thin dark edge; the edge alone until it is painted."""
