@@ -145,9 +145,9 @@ def draw_picture(texture: GPUTexture, rect: Rect) -> None:
         _picture().draw(shader)
 
 
-def circle(radius: float = 1.0) -> list[Point]:
+def circle(radius: float = 1.0, corners: int = ROUND) -> list[Point]:
     """The corners of a circle around (0, 0), counter-clockwise."""
-    angles = [2.0 * math.pi * number / ROUND for number in range(ROUND)]
+    angles = [2.0 * math.pi * number / corners for number in range(corners)]
     return [(radius * math.cos(angle), radius * math.sin(angle)) for angle in angles]
 
 

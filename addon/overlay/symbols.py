@@ -23,6 +23,10 @@ RINGS: tuple[tuple[float, Rgba | None], ...] = (
 they run into each other, which is as smooth as lines are."""
 
 
+ROUND = 16
+"""Corners of an ellipse: a symbol is a dozen pixels wide."""
+
+
 @dataclass(frozen=True)
 class Symbol:
     """A shape seen from the side, in a square from -1 to 1."""
@@ -55,7 +59,7 @@ def _normal(start: Point, end: Point) -> Point:
 
 
 def _ellipse(across: float, high: float) -> tuple[Point, ...]:
-    return tuple((x * across, y * high) for x, y in circle())
+    return tuple((x * across, y * high) for x, y in circle(corners=ROUND))
 
 
 SYMBOLS: dict[Shape, Symbol] = {
