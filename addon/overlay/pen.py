@@ -16,7 +16,7 @@ from mathutils import Matrix
 from .colours import Rgba
 from .rect import Point, Rect, Segment
 
-ROUND = 32
+ROUND = 24
 """Corners of a circle: more are not seen at the sizes that are drawn."""
 
 Place = tuple[float, float, float]
