@@ -7,6 +7,7 @@ from pathlib import Path
 import bpy
 
 from .formats.cache import cache
+from .overlay import handlers as overlay
 from .record.playing import stop_playing
 from .terrain import saving
 from .touch import timer
@@ -17,6 +18,7 @@ from .ui import (
     keymap,
     mouse_keys,
     mouse_touch,
+    overview_gizmo,
     panel,
     place_operators,
     preferences,
@@ -28,6 +30,7 @@ from .ui import (
     touch_operators,
 )
 from .ui.panels import bake, colours, georeference, profile, take
+from .ui.panels import overlay as overlay_panel
 
 CLASSES: tuple[type, ...] = (
     settings.HapticTerrainSettings,
@@ -62,11 +65,15 @@ CLASSES: tuple[type, ...] = (
     colours.HAPTIC_TERRAIN_PT_colours,
     profile.HAPTIC_TERRAIN_PT_profile,
     panel.HAPTIC_TERRAIN_PT_touch,
+    overlay_panel.HAPTIC_TERRAIN_PT_overlay,
     panel.HAPTIC_TERRAIN_PT_safety,
     panel.HAPTIC_TERRAIN_PT_record,
     bake.HAPTIC_TERRAIN_PT_bake,
     bake.HAPTIC_TERRAIN_PT_follow_ground,
     take.HAPTIC_TERRAIN_PT_take,
+    overview_gizmo.HAPTIC_TERRAIN_OT_overview_go,
+    overview_gizmo.HAPTIC_TERRAIN_GT_overview,
+    overview_gizmo.HAPTIC_TERRAIN_GGT_overview,
 )
 
 
@@ -83,6 +90,7 @@ def register() -> None:
     live.spool_folder = Path(bpy.utils.extension_path_user(__package__, path="takes"))
     saving.register()
     timer.register()
+    overlay.register()
     keymap.register()
     mouse_keys.register()
 
@@ -92,6 +100,7 @@ def unregister() -> None:
     mouse_touch.unregister()
     mouse_keys.unregister()
     keymap.unregister()
+    overlay.unregister()
     if live.recording is not None:
         stop_playing(bpy.context, live.recording)
     timer.unregister()

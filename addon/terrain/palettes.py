@@ -56,8 +56,10 @@ FILLED: Colour = (0.42, 0.10, 0.58)
 """Violet, which no land is: heights that were not measured."""
 
 # For what must be told apart by everyone, whatever colours they see: Okabe and Ito, Color Universal Design
-# (2008), there as 8-bit sRGB: 86 180 233, 0 158 115, 213 94 0 and 204 121 167.
+# (2008), there as 8-bit sRGB: 86 180 233, 0 158 115, 213 94 0, 204 121 167, 230 159 0 and 240 228 66.
 SKY_BLUE: Colour = (0.093, 0.456, 0.815)
 BLUISH_GREEN: Colour = (0.0, 0.342, 0.171)
 VERMILLION: Colour = (0.665, 0.112, 0.0)
 REDDISH_PURPLE: Colour = (0.604, 0.191, 0.386)
+ORANGE: Colour = (0.791, 0.347, 0.0)
+YELLOW: Colour = (0.871, 0.776, 0.054)

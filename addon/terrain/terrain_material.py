@@ -76,7 +76,12 @@ def set_colour_by(material: bpy.types.Material, what: ColourBy) -> None:
 
 def legend(material: bpy.types.Material) -> list[Swatch]:
     """The colours that show now and what they stand for, from high to low; empty where nodes were removed."""
-    attribute = SLOPE if colour_by(material) is ColourBy.SLOPE else ELEVATION
+    return swatches(material, colour_by(material))
+
+
+def swatches(material: bpy.types.Material, what: ColourBy) -> list[Swatch]:
+    """The colours of elevations or slopes and what they stand for, shown or not; as ``legend``."""
+    attribute = SLOPE if what is ColourBy.SLOPE else ELEVATION
     nodes = material.node_tree.nodes
     span, colours = nodes.get(range_name(attribute)), nodes.get(colours_name(attribute))
     if span is None or colours is None:

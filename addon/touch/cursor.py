@@ -34,6 +34,9 @@ MARK = "haptic_terrain_cursor"
 SIZE = 0.015
 """Of the terrain's longest side: seen at once, and small enough to point."""
 
+ROUNDING = 1e-5
+"""Of the cursor's size: less is neither seen nor, in Blender's 32 bits, always kept."""
+
 
 @dataclass(frozen=True)
 class Shape:
@@ -124,7 +127,15 @@ def show_cursor(cursor: bpy.types.Object, place: Vector, turn: Quaternion, size:
     mesh = shape_mesh(shape)
     if cursor.data is not mesh:
         cursor.data = mesh
-    cursor.matrix_world = Matrix.LocRotScale(place[:], turn, (size, size, size))
+    there = Matrix.LocRotScale(place[:], turn, (size, size, size))
+    if not _is_there(cursor.matrix_world, there, size):  # writing it makes Blender draw every view again
+        cursor.matrix_world = there
+
+
+def _is_there(matrix: Matrix, there: Matrix, size: float) -> bool:
+    """Whether two places differ by rounding only."""
+    apart = max(abs(matrix[row][column] - there[row][column]) for row in range(4) for column in range(4))
+    return bool(apart <= ROUNDING * size)
 
 
 def shape_mesh(shape: Shape) -> bpy.types.Mesh:

@@ -84,7 +84,7 @@ def in_scene(window: Window, placement: Placement) -> Matrix:
     upright = placement.upright(window.east, window.north)
     turn = -window.turn if placement.is_mirrored else window.turn  # a mirror turns the other way
     turned = upright @ Quaternion((0.0, 0.0, 1.0), turn)
-    width = window.width * placement.frame.units_per_metre * abs(placement.matrix.to_scale().x)
+    width = window.width * placement.units_per_metre
     return Matrix.LocRotScale(place[:], turned, (width, width, width))
 
 

@@ -38,7 +38,23 @@ def go_to(context: bpy.types.Context, terrain: bpy.types.Object, longitude: floa
         KeptError: the terrain does not remember its grid.
     """
     kept = recall(terrain)
-    east, north = map_place(kept, longitude, latitude)
+    return go_on_map(context, terrain, kept, *map_place(kept, longitude, latitude))
+
+
+def go_on_map(
+    context: bpy.types.Context, terrain: bpy.types.Object, kept: KeptTerrain, east: float, north: float
+) -> Vector:
+    """Bring cursor, target, window and views to a place of the map, terrain metres.
+
+    Args:
+        kept: what the terrain remembers.
+
+    Returns:
+        The ground there, scene coordinates.
+
+    Raises:
+        FormatError: the grid's file cannot be used any more.
+    """
     touch = live.touch
     if touch is not None and touch.terrain.find() != terrain:
         touch = None

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Literal
@@ -10,7 +11,7 @@ import bpy
 from proxygraph import Grid, Session, Window
 
 from ..formats import Georeference
-from ..terrain.frame import TerrainFrame
+from ..terrain.frame import Point, TerrainFrame
 from ..terrain.opened import OpenedGrids
 from ..terrain.preview import PreviewSurface
 from .detail import Detail
@@ -18,6 +19,7 @@ from .handle import Handle
 from .mouse_hand import MouseHand
 from .placement import Placement
 from .recorder import Recorder
+from .shown import Look, Shown
 
 
 @dataclass(frozen=True)
@@ -29,6 +31,8 @@ class Readout:
     window: Window
     """Where the workspace lies."""
     in_contact: bool
+    proxy: Point
+    """Terrain metres; of the cursor."""
     coordinates: tuple[float, float] | None
     """Degrees east and north; ``None`` where the grid's projection is not known."""
     own: tuple[float, float]
@@ -120,6 +124,12 @@ class Touch:
     shortcomings: tuple[str, ...] = ()
     """What of the terrain's place in the scene cannot be followed, in words."""
     readout: Readout | None = None
+    shown: Shown | None = None
+    """What the newest tick looks like in the scene; it stays while a picture is rendered."""
+    look: Look | None = None
+    """What was drawn last."""
+    looked: float = 0.0
+    """When, in seconds of the monotonic clock."""
     detail: Detail | None = None
     """What the views show in the place of the terrain's mesh; ``None`` where nobody looks."""
 
@@ -166,8 +176,16 @@ class Live:
     """Nothing is written to the scene while it is rendered."""
     spool_folder: Path | None = None
     """Where takes are until they are written to the scene; ``None`` while the extension is off."""
+    watchers: list[Callable[[], None]] = field(default_factory=list)
+    """Called after touch has begun or ended."""
     opened: OpenedGrids = field(default_factory=OpenedGrids)
     """What was decoded for an import, so that touch need not do it again; until another file is loaded."""
+
+    def change(self, touch: Touch | None) -> None:
+        """Let a touch begin or end."""
+        self.touch = touch
+        for watcher in self.watchers:
+            watcher()
 
 
 live = Live()

@@ -43,6 +43,23 @@ class Placement:
         local = self.matrix.inverted_safe() @ place
         return self.frame.to_terrain(local.x, local.y, local.z)
 
+    def between(self, one: Point, other: Point) -> Vector:
+        """The way from one terrain place to another, in the scene.
+
+        It is finer than the difference of two places in Blender's 32 bits, and goes on across the seam of a
+        map that wraps.
+        """
+        east = self.frame.on_map(one[0])
+        here = self.frame.shown(east, *one[1:])
+        there = self.frame.shown(east + (other[0] - one[0]), *other[1:])
+        way = Vector([after - before for before, after in zip(here, there, strict=True)])
+        return self.matrix.to_3x3() @ way
+
+    @property
+    def units_per_metre(self) -> float:
+        """Blender units in the scene for a metre of terrain along the ground."""
+        return self.frame.units_per_metre * abs(self.matrix.to_scale().x)
+
     @property
     def exaggeration(self) -> float:
         """Of heights as they are seen: a terrain stretched upwards in the scene is exaggerated more."""
@@ -91,4 +108,4 @@ class Placement:
 
     def longest_side(self, layout: GridLayout) -> float:
         """Of the map, Blender units in the scene."""
-        return max(map_size(layout)) * self.frame.units_per_metre * abs(self.matrix.to_scale().x)
+        return max(map_size(layout)) * self.units_per_metre

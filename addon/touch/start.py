@@ -69,7 +69,8 @@ def start_touch(
             touch = _touch(context, terrain, device, window, has_modes=has_modes)
             if on_the_clock:
                 touch.session.start()
-            live.touch, live.message = touch, ""
+            live.message = ""
+            live.change(touch)
             if on_the_clock:
                 start_timer()
             tick()

@@ -26,7 +26,7 @@ def stop_touch(message: str = "") -> None:
     touch.session.stop()
     note_model(touch)
     give_back_views(touch)
-    live.touch = None
+    live.change(None)
     if touch.detail is not None:
         touch.detail.end()
         clear_levels()

@@ -39,7 +39,7 @@ def add_target(context: bpy.types.Context, placement: Placement, window: Window)
     """Make the Empty above the middle of the window, ready to be dragged."""
     target = bpy.data.objects.new(NAME, None)
     mark_own(target, MARK)
-    across = window.width * placement.frame.units_per_metre * abs(placement.matrix.to_scale().x)
+    across = window.width * placement.units_per_metre
     target.empty_display_type = "SPHERE"
     target.empty_display_size = 0.01 * across
     target.location = placement.to_scene(window.east, window.north, window.up + clearance(window))

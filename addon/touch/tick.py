@@ -14,7 +14,6 @@ from proxygraph import SessionError, State
 
 from ..terrain.frame import is_on_map, place_in_grid
 from ..terrain.kept import KeptError, recall_frame
-from ..terrain.view import redraw
 from .control import keep_control
 from .cursor import SIZE, cursor_object, shape_of, show_cursor
 from .follow import carry_target, follow_target, lay_window
@@ -24,8 +23,10 @@ from .model import keep_model
 from .mouse import keep_mouse
 from .placement import Placement
 from .pre_roll import keep_pre_roll
+from .refresh import refresh
 from .shortcomings import shortcomings
 from .show_detail import show_detail
+from .shown import Shown, force_in_scene, to_hand
 from .stop import note_model, stop_touch
 from .windows import stretched
 
@@ -70,7 +71,7 @@ def tick() -> None:
         follow_view(touch, scene, placement)
         show_detail(touch, scene, terrain, placement, state)
         _show(touch, scene, placement, state)
-        redraw(bpy.context)
+        refresh(touch, scene)
 
 
 def lifted(up: float, preview: float | None) -> float:
@@ -95,6 +96,15 @@ def _show(touch: Touch, scene: bpy.types.Scene, placement: Placement, state: Sta
     turn = placement.upright(east, north)
     shape = shape_of(state.mode, in_contact=state.in_contact)
     show_cursor(cursor_object(scene), place, turn, size, shape)
+    touch.shown = Shown(
+        place=place,
+        turn=turn,
+        size=size,
+        shape=shape,
+        hand=to_hand(placement, state),
+        force=force_in_scene(placement, state, touch.workspace[0]),
+        units_per_metre=placement.units_per_metre,
+    )
 
 
 def _readout(touch: Touch, state: State) -> Readout:
@@ -106,6 +116,7 @@ def _readout(touch: Touch, state: State) -> Readout:
         mode=state.mode,
         window=state.window,
         in_contact=state.in_contact,
+        proxy=state.proxy,
         coordinates=coordinates,
         own=(touch.georeference.x(column), touch.georeference.y(row)),
         on_map=is_on_map(touch.grid.layout, east, north),

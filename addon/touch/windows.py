@@ -7,7 +7,7 @@ from proxygraph import Window
 
 def is_same(one: Window, other: Window) -> bool:
     """Whether two windows lie in the same place, equally wide and turned alike."""
-    return _lies(one) == _lies(other) and one.exaggeration == other.exaggeration
+    return lies(one) == lies(other) and one.exaggeration == other.exaggeration
 
 
 def stretched(window: Window, exaggeration: float) -> Window:
@@ -22,5 +22,6 @@ def stretched(window: Window, exaggeration: float) -> Window:
     )
 
 
-def _lies(window: Window) -> tuple[float, float, float, float, float]:
+def lies(window: Window) -> tuple[float, float, float, float, float]:
+    """Where a window lies, how wide it is and how it is turned."""
     return window.east, window.north, window.up, window.width, window.turn

@@ -9,11 +9,12 @@ import bpy
 from ..terrain.kept import KeptError, recall
 from ..touch.live import Readout, Recording, live
 from ..touch.model import SPHERE, WALK
+from ..touch.place_words import place_lines
 from ..touch.placement import Placement
+from ..touch.state_words import HELD, MODES
 from .chosen import shown_terrain
 from .import_operator import TITLE, HAPTIC_TERRAIN_OT_import_grid
 from .mouse_touch import HAPTIC_TERRAIN_OT_mouse_touch
-from .place_words import place_lines
 from .record_operators import (
     HAPTIC_TERRAIN_OT_record_start,
     HAPTIC_TERRAIN_OT_record_stop,
@@ -22,21 +23,6 @@ from .record_operators import (
 from .sidebar import TAB, draw_lines, draw_message, draw_text
 from .stylus_buttons import draw_stylus
 from .touch_operators import HAPTIC_TERRAIN_OT_touch_start, HAPTIC_TERRAIN_OT_touch_stop
-
-HELD = {
-    "host": "Blender was busy",
-    "late": "Ticks were missed",
-    "speed": "Hand was too fast",
-    "device": "Device failed",
-    "not_finite": "Not a number",
-    "finished": "Playback has ended",
-    "below": "Hand is under the ground",
-}
-"""Why the force is away, short enough for a line; the panel *Safety* has the sentences."""
-
-
-MODES = {"normal": "Normal", "pan": "Pan: ground held", "zoom": "Zoom: air held"}
-"""What the hand's motion does."""
 
 
 class HAPTIC_TERRAIN_PT_terrain(bpy.types.Panel):

@@ -7,6 +7,7 @@ from proxygraph import MODELS, model_descriptions
 
 from ..record.kept_take import is_take
 from ..record.take_options import BOUND_MM
+from ..terrain.view import redraw
 from ..touch.control import keep_control
 from ..touch.live import live
 from ..touch.model import keep_model
@@ -20,6 +21,10 @@ def _switch(settings: HapticTerrainSettings, _context: bpy.types.Context) -> Non
         keep_model(live.touch, touched)
         keep_control(live.touch, touched)
         keep_pre_roll(live.touch, touched)
+
+
+def _redraw(_settings: HapticTerrainSettings, context: bpy.types.Context) -> None:
+    redraw(context)
 
 
 class HapticTerrainSettings(bpy.types.PropertyGroup):
@@ -83,6 +88,36 @@ class HapticTerrainSettings(bpy.types.PropertyGroup):
         name="View Follows",
         description="The 3D views go along while the hand pans, zooms or turns",
         default=True,
+    )
+    show_overview: bpy.props.BoolProperty(
+        name="Overview Map",
+        description="The whole terrain, where the hand can reach and where it is; click on it to go there",
+        default=True,
+        update=_redraw,
+    )
+    show_readout: bpy.props.BoolProperty(
+        name="Readout",
+        description="Mode, place, force, device and a scale bar",
+        default=True,
+        update=_redraw,
+    )
+    show_legend: bpy.props.BoolProperty(
+        name="Cursor Legend",
+        description="What the shapes and colours of the cursor mean, and the key that leads to them",
+        default=True,
+        update=_redraw,
+    )
+    show_force: bpy.props.BoolProperty(
+        name="Force Arrow",
+        description="The force on the hand, as an arrow at the cursor",
+        default=True,
+        update=_redraw,
+    )
+    show_ghost: bpy.props.BoolProperty(
+        name="Hand",
+        description="A ring where the hand is, joined to the cursor: the farther away, the larger the force",
+        default=True,
+        update=_redraw,
     )
     pre_roll: bpy.props.FloatProperty(
         name="Keep Before",

@@ -122,7 +122,7 @@ def test_the_panel_says_what_holds_the_force_back(label: Path) -> None:
 
 def test_every_reason_has_words(label: Path) -> None:
     reasons = {"host", "late", "speed", "device", "not_finite", "finished", "below"}
-    assert set(module("ui.panel").HELD) == reasons
+    assert set(module("touch.state_words").HELD) == reasons
 
 
 def test_the_panel_says_why_touch_ended(label: Path) -> None:
@@ -310,7 +310,7 @@ def test_a_projected_map_shows_its_own_metres_beside_longitude_and_latitude(labe
     touch = module("touch.start").start_touch(bpy.context, device=sweep(), on_the_clock=False)
     touch.session.step(500)
     module("touch.tick").tick()
-    words = module("ui.place_words").place_lines
+    words = module("touch.place_words").place_lines
     readout = replace(touch.readout, own=(500_123.4, -1_234_567.8), coordinates=(12.5, -3.25))
     lines = dict(words(readout, 2.0, in_degrees=False))
     assert (lines["East"], lines["North"]) == ("500,123 m", "-1,234,568 m")

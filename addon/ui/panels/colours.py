@@ -5,9 +5,9 @@ from __future__ import annotations
 import bpy
 
 from ...terrain.terrain_material import ColourBy, colour_by, filled_colour, legend, material_of
+from ...touch.place_words import DEGREE
 from ..chosen import shown_terrain
 from ..place_operators import HAPTIC_TERRAIN_OT_colour_by
-from ..place_words import DEGREE
 from ..sidebar import TAB
 
 UNITS = {ColourBy.ELEVATION: " m", ColourBy.SLOPE: DEGREE}

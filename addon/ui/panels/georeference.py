@@ -5,9 +5,9 @@ from __future__ import annotations
 import bpy
 
 from ...terrain.kept import KeptError, recall
+from ...touch.place_words import georeference_lines
 from ..chosen import shown_terrain
 from ..place_operators import HAPTIC_TERRAIN_OT_go_to, HAPTIC_TERRAIN_OT_show_curvature
-from ..place_words import georeference_lines
 from ..sidebar import TAB, draw_lines, draw_text
 
 

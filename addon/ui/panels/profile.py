@@ -5,8 +5,8 @@ from __future__ import annotations
 import bpy
 
 from ...terrain.marks import Between, marks_of
+from ...touch.place_words import DEGREE, Line
 from ..chosen import shown_terrain
-from ..place_words import DEGREE, Line
 from ..profile_operators import (
     HAPTIC_TERRAIN_OT_add_profile,
     HAPTIC_TERRAIN_OT_export_profile,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..formats import Georeference
-from ..touch.live import Readout
+from .live import Readout
 
 DEGREE = "\N{DEGREE SIGN}"
 
