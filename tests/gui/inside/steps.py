@@ -1,0 +1,119 @@
+"""What a person does with the extension, step by step, for scenarios to put together."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import bpy
+from bpy_extras.view3d_utils import location_3d_to_region_2d
+
+from tests.gui.inside.blender import MODULE, Blender
+from tests.gui.inside.script import Script, Until, check
+
+TAB = "Haptic Terrain"
+"""In the sidebar."""
+
+
+def install(blender: Blender) -> Script[None]:
+    """Install the extension's zip from the disk, which enables it."""
+    (package,) = blender.files.glob("*.zip")
+    with blender.in_view():
+        bpy.ops.extensions.package_install_files(
+            filepath=str(package), repo="user_default", enable_on_install=True
+        )
+    check(MODULE in bpy.context.preferences.addons, "the extension is not enabled after its installation")
+    yield 0.2
+
+
+def begin_empty(blender: Blender) -> Script[None]:
+    """Take away what the start-up file has, and show the add-on's tab."""
+    bpy.data.batch_remove(list(bpy.data.objects))
+    yield from show_tab(blender)
+
+
+def show_tab(blender: Blender) -> Script[None]:
+    """Open the sidebar at the add-on's tab."""
+    blender.space.show_region_ui = True
+    yield Until("the sidebar is open", lambda: blender.region("UI").width > 50)
+    blender.area.tag_redraw()
+    yield 0.3  # a region has no tabs before it was drawn
+    blender.region("UI").active_panel_category = TAB
+    yield 0.2
+
+
+def drop(blender: Blender, *files: str) -> Script[None]:
+    """Let files fall on the middle of the 3D view."""
+    yield from blender.hand.over_view()
+    with blender.in_view():
+        bpy.ops.wm.drop_import_file(
+            "INVOKE_DEFAULT", directory=str(blender.files), files=[{"name": name} for name in files]
+        )
+    yield 0.5
+
+
+def confirm(blender: Blender) -> Script[None]:
+    """Press a dialog's button."""
+    yield from blender.hand.tap("RET")
+
+
+def imported(blender: Blender) -> Script[bpy.types.Object]:
+    """Wait for one more terrain."""
+    is_terrain = blender.part("terrain.kept").is_terrain
+
+    def found() -> bpy.types.Object | None:
+        return next((thing for thing in bpy.data.objects if is_terrain(thing)), None)
+
+    yield Until("the terrain is in the scene", found)
+    terrain = found()
+    assert terrain is not None
+    yield 0.3
+    return terrain
+
+
+def search(blender: Blender, words: str) -> Script[None]:
+    """Do something through the menu that finds everything (F3)."""
+    yield from blender.hand.over_view()
+    yield from blender.hand.tap("F3")
+    yield 0.3
+    yield from blender.hand.type(words)
+    yield 0.5
+    yield from blender.hand.tap("RET")
+    yield 0.3
+
+
+def start_touch(blender: Blender) -> Script[Any]:
+    """Start touch, and wait for the first look at the servo."""
+    with blender.in_view():
+        bpy.ops.haptic_terrain.touch_start()
+    yield Until("the servo runs", lambda: blender.touch is not None and blender.touch.readout.ticks > 100)
+    return blender.touch
+
+
+def mode_is(blender: Blender, mode: str) -> Until:
+    """Wait until the panel says so."""
+    return Until(f"the mode is {mode}", lambda: blender.touch.readout.mode == mode)
+
+
+def contact_is(blender: Blender, *, in_contact: bool) -> Until:
+    """Wait until the hand touches the ground, or does not."""
+    what = "touches the ground" if in_contact else "is in the air"
+    return Until(f"the hand {what}", lambda: blender.touch.readout.in_contact is in_contact)
+
+
+def cursor(blender: Blender) -> bpy.types.Object:
+    """The cursor's object."""
+    return bpy.data.objects[blender.part("touch.cursor").NAME]
+
+
+def on_screen(blender: Blender, thing: bpy.types.Object) -> tuple[float, float]:
+    """Where an object's origin is in the window, pixels from the lower left."""
+    region = blender.region()
+    seen = location_3d_to_region_2d(region, blender.space.region_3d, thing.matrix_world.translation)
+    check(seen is not None, f"{thing.name} is behind the view")
+    return region.x + seen.x, region.y + seen.y
+
+
+def sample(blender: Blender, name: str) -> Path:
+    """A file that the scenario was given."""
+    return blender.files / name
