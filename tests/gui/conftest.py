@@ -3,12 +3,22 @@
 from __future__ import annotations
 
 import os
+import sys
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
-from tests.gui.window import ROOT, CannotRunError, Outcome, make_window, run
+ROOT = Path(__file__).resolve().parents[2]
+
+for folder in (ROOT, ROOT / "blender_scripts"):
+    if str(folder) not in sys.path:
+        sys.path.append(str(folder))
+
+from sample_grid.megdr import write_pair  # noqa: E402
+from sample_grid.planet import elevations  # noqa: E402
+
+from tests.gui.window import CannotRunError, Outcome, make_window, run  # noqa: E402
 
 OUTPUT = ROOT / "build" / "gui"
 
@@ -29,6 +39,13 @@ def package() -> Path:
     """Give the extension's zip, which ``make test-gui`` has built."""
     (zipped,) = (ROOT / "build" / "package").glob("*.zip")
     return zipped
+
+
+@pytest.fixture(scope="session")
+def planet(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
+    """Give label and image of a small synthetic planet, which is soon drawn."""
+    label = write_pair(tmp_path_factory.mktemp("planet"), "planet", elevations(180, 360))
+    return [label, label.with_suffix(".img")]
 
 
 @pytest.fixture

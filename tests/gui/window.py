@@ -131,6 +131,7 @@ def _command(window: Path, inside: Path, scenario: str) -> list[str]:
         "HOME": str(inside / "home"),
         "LANG": "C.UTF-8",
         "LIBGL_ALWAYS_SOFTWARE": "1",
+        "MESA_SHADER_CACHE_DIR": "/var/cache/shaders",  # outlives a run: compiling takes most of the time
         "PYTHONDONTWRITEBYTECODE": "1",
         "BLENDER_USER_RESOURCES": str(inside / "resources"),
     }

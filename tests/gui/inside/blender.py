@@ -74,21 +74,25 @@ class Blender:
 
     def picture(self, name: str, *, wait: float = SETTLED) -> Script[Picture]:
         """Take a picture and keep it: ``shown = yield from blender.picture("panel")``."""
+        picture = yield from self.look(wait=wait)
+        self._keep(picture, name)
+        return picture
+
+    def look(self, *, wait: float = SETTLED) -> Script[Picture]:
+        """Take a picture only to compare it."""
         self.area.tag_redraw()
         yield wait
-        return self._kept(name)
+        return grab()
 
     def quit(self, failure: str | None) -> None:
         """Write the outcome and quit as a person would."""
         if failure is not None:
-            self._kept("failure")
+            self._keep(grab(), "failure")
         self.mark("quits")
         outcome = {"failure": failure, "marks": self._marks, "figures": self.figures}
         (self._output / "outcome.json").write_text(json.dumps(outcome, indent=2), encoding="utf-8")
         bpy.ops.wm.quit_blender()
 
-    def _kept(self, name: str) -> Picture:
-        picture = grab()
+    def _keep(self, picture: Picture, name: str) -> None:
         self._pictures += 1
         picture.save(self._output / f"{self._pictures:02}-{name}.png")
-        return picture

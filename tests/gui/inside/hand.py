@@ -75,12 +75,7 @@ class Hand:
         self, kind: str, value: str, *, shift: bool = False, ctrl: bool = False, unicode: str | None = None
     ) -> None:
         x, y = self.place
-        self._blender.window.event_simulate(
-            kind,  # type: ignore[arg-type]
-            value,  # type: ignore[arg-type]
-            unicode=unicode or "",
-            x=x,
-            y=y,
-            shift=shift,
-            ctrl=ctrl,
-        )
+        options = {"x": x, "y": y, "shift": shift, "ctrl": ctrl}
+        if unicode is not None:
+            options["unicode"] = unicode
+        self._blender.window.event_simulate(type=kind, value=value, **options)  # type: ignore[arg-type]

@@ -30,6 +30,10 @@ class Picture:
         apart = np.abs(self.pixels.astype(np.int16) - other.pixels.astype(np.int16))
         return np.asarray(apart.max(axis=2) > by)
 
+    def share_changed(self, before: Picture) -> float:
+        """How much of it differs from an earlier picture of the same."""
+        return float(self.differs_from(before).mean())
+
     def is_blank(self) -> bool:
         """Whether there is one colour only."""
         return bool((self.pixels == self.pixels[0, 0]).all())

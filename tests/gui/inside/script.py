@@ -30,6 +30,7 @@ class Until:
     """For the message where it does not: a sentence's end, as in "the terrain was imported"."""
     is_so: Callable[[], object]
     seconds: float = 30.0
+    every: float = LOOK
 
 
 Script = Generator[float | Until, None, T]
@@ -66,7 +67,7 @@ class _Player:
         try:
             if self._wait is not None and not self._wait.is_so():
                 if time.monotonic() < self._end:
-                    return LOOK
+                    return self._wait.every
                 raise Failed(f"waited {self._wait.seconds:g} s in vain until {self._wait.what}")
             wait = next(self._script)
         except StopIteration:

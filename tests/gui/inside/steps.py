@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-from typing import Any
-
 import bpy
-from bpy_extras.view3d_utils import location_3d_to_region_2d
 
 from tests.gui.inside.blender import MODULE, Blender
+from tests.gui.inside.picture import Picture, grab
 from tests.gui.inside.script import Script, Until, check
 
 TAB = "Haptic Terrain"
@@ -82,12 +79,64 @@ def search(blender: Blender, words: str) -> Script[None]:
     yield 0.3
 
 
-def start_touch(blender: Blender) -> Script[Any]:
-    """Start touch, and wait for the first look at the servo."""
+def drawn(blender: Blender, before: Picture) -> Script[None]:
+    """Wait until the screen shows something else than before, and stays as it is: shaders are compiled first."""
+    seen = [before]
+
+    def is_still() -> bool:
+        blender.area.tag_redraw()
+        seen.append(grab())
+        return seen[-1].share_changed(before) > 0.05 and seen[-1].share_changed(seen[-2]) == 0.0
+
+    yield Until("the 3D view has drawn the terrain", is_still, seconds=90.0, every=0.5)
+
+
+def shade_plainly(blender: Blender) -> Script[None]:
+    """Show materials' plain colours: what a processor can draw often enough, where there is no graphics card."""
+    blender.space.shading.type = "SOLID"
+    yield 0.2
+
+
+def hide_sidebar(blender: Blender) -> Script[None]:
+    """See more of the view."""
+    blender.space.show_region_ui = False
+    yield 0.3
+
+
+def touch_runs(blender: Blender) -> Until:
+    """Wait for the first looks at the servo."""
+    return Until("the servo runs", lambda: blender.touch is not None and blender.touch.readout.ticks > 100)
+
+
+def touch_goes_on(blender: Blender) -> Until:
+    """Wait for a look at the servo that is newer than this one."""
+    now = blender.touch.readout.ticks
+    return Until("the servo goes on", lambda: blender.touch.readout.ticks > now + 100)
+
+
+def start_touch(blender: Blender) -> Script[None]:
+    """Start touch as a button of the panel does."""
     with blender.in_view():
         bpy.ops.haptic_terrain.touch_start()
-    yield Until("the servo runs", lambda: blender.touch is not None and blender.touch.readout.ticks > 100)
-    return blender.touch
+    yield touch_runs(blender)
+
+
+def stop_touch(blender: Blender) -> Script[None]:
+    """Stop touch as the panel's button does."""
+    with blender.in_view():
+        bpy.ops.haptic_terrain.touch_stop()
+    check(blender.touch is None, "touch goes on after Stop Touch")
+    yield 0.2
+
+
+def move_target(blender: Blender, axis: str, units: str) -> Script[None]:
+    """Move the selected Empty along an axis of the scene by typed Blender units, and let the hand arrive."""
+    yield from blender.hand.over_view()
+    yield from blender.hand.tap("G")
+    yield from blender.hand.tap(axis)
+    yield from blender.hand.type(units)
+    yield from blender.hand.tap("RET")
+    yield 1.0
 
 
 def mode_is(blender: Blender, mode: str) -> Until:
@@ -104,16 +153,3 @@ def contact_is(blender: Blender, *, in_contact: bool) -> Until:
 def cursor(blender: Blender) -> bpy.types.Object:
     """The cursor's object."""
     return bpy.data.objects[blender.part("touch.cursor").NAME]
-
-
-def on_screen(blender: Blender, thing: bpy.types.Object) -> tuple[float, float]:
-    """Where an object's origin is in the window, pixels from the lower left."""
-    region = blender.region()
-    seen = location_3d_to_region_2d(region, blender.space.region_3d, thing.matrix_world.translation)
-    check(seen is not None, f"{thing.name} is behind the view")
-    return region.x + seen.x, region.y + seen.y
-
-
-def sample(blender: Blender, name: str) -> Path:
-    """A file that the scenario was given."""
-    return blender.files / name
