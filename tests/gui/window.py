@@ -25,8 +25,8 @@ ROOT = Path(__file__).resolve().parents[2]
 WIDTH, HEIGHT = 1280, 800
 """Of the screen; Blender's window fills it."""
 
-LONGEST = 180.0
-"""Seconds that a scenario may take; most take a tenth of it."""
+LONGEST = 600.0
+"""Seconds that a scenario may take; most take a twentieth, where nothing else runs."""
 
 BETWEEN_LOOKS = 0.1
 """Seconds between two looks at the threads of the Blender that runs."""

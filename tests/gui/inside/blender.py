@@ -35,6 +35,8 @@ class Blender:
         self._pictures = 0
         self.hand = Hand(self)
         bpy.context.preferences.view.show_splash = False
+        # A processor draws here: many samples of each picture would take it too long.
+        bpy.context.preferences.system.viewport_aa = "FXAA"
 
     @property
     def window(self) -> bpy.types.Window:
@@ -58,6 +60,11 @@ class Blender:
     def in_view(self) -> Any:
         """A context as if the mouse were over the 3D view, for operators and what looks at the context."""
         return bpy.context.temp_override(window=self.window, area=self.area, region=self.region())
+
+    def press(self, operator: str) -> None:
+        """Press a button of the add-on's panels: unlike a script's call, it can be undone."""
+        with self.in_view():
+            getattr(bpy.ops.haptic_terrain, operator)("INVOKE_DEFAULT", True)
 
     def part(self, name: str) -> ModuleType:
         """A module of the installed extension."""

@@ -29,7 +29,7 @@ class Until:
     what: str
     """For the message where it does not: a sentence's end, as in "the terrain was imported"."""
     is_so: Callable[[], object]
-    seconds: float = 30.0
+    seconds: float = 120.0
     every: float = LOOK
 
 

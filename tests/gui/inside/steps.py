@@ -86,7 +86,8 @@ def drawn(blender: Blender, before: Picture) -> Script[None]:
     def is_still() -> bool:
         blender.area.tag_redraw()
         seen.append(grab())
-        return seen[-1].share_changed(before) > 0.05 and seen[-1].share_changed(seen[-2]) == 0.0
+        is_new = seen[-1].share_changed(before) > 0.05
+        return is_new and all(last.share_changed(seen[-1]) == 0.0 for last in seen[-4:-1])
 
     yield Until("the 3D view has drawn the terrain", is_still, seconds=90.0, every=0.5)
 
@@ -115,16 +116,14 @@ def touch_goes_on(blender: Blender) -> Until:
 
 
 def start_touch(blender: Blender) -> Script[None]:
-    """Start touch as a button of the panel does."""
-    with blender.in_view():
-        bpy.ops.haptic_terrain.touch_start()
+    """Start touch."""
+    blender.press("touch_start")
     yield touch_runs(blender)
 
 
 def stop_touch(blender: Blender) -> Script[None]:
-    """Stop touch as the panel's button does."""
-    with blender.in_view():
-        bpy.ops.haptic_terrain.touch_stop()
+    """Stop touch."""
+    blender.press("touch_stop")
     check(blender.touch is None, "touch goes on after Stop Touch")
     yield 0.2
 

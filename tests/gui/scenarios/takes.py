@@ -41,22 +41,21 @@ def scenario(blender: Blender) -> Script[None]:
     yield from blender.picture("loaded")
     yield from steps.start_touch(blender)
     yield from blender.picture("touching-again")
-    blender.mark("quitting in mid-touch")
+    blender.mark("touching again")
+    yield 1.0
 
 
 def _record(blender: Blender) -> Script[None]:
-    with blender.in_view():
-        bpy.ops.haptic_terrain.record_start()
+    blender.press("record_start")
     for step in ("0.5", "-0.5"):
         yield from steps.move_target(blender, "X", step)
     yield from blender.picture("recording")
-    with blender.in_view():
-        bpy.ops.haptic_terrain.record_stop()
+    blender.press("record_stop")
     yield 0.5
 
 
 def _takes() -> set[str]:
-    return {thing.name for thing in bpy.data.objects if thing.name.startswith("Haptic Take")}
+    return {thing.name for thing in bpy.data.objects if thing.name.startswith("Touch Take")}
 
 
 def _save_and_load(blender: Blender) -> Script[None]:
