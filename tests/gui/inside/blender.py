@@ -35,8 +35,8 @@ class Blender:
         self._pictures = 0
         self.hand = Hand(self)
         bpy.context.preferences.view.show_splash = False
-        # A processor draws here: many samples of each picture would take it too long.
-        bpy.context.preferences.system.viewport_aa = "FXAA"
+        # A processor draws here: smooth edges would take most of its time.
+        bpy.context.preferences.system.viewport_aa = "OFF"
 
     @property
     def window(self) -> bpy.types.Window:
