@@ -128,7 +128,7 @@ def _every(step: int, last: int) -> tuple[int, ...]:
 
 
 def _cell(kept: tuple[int, ...], place: float) -> tuple[int, float] | None:
-    """Find the cell of the subset around one fractional column or row, and the share of it; ``None`` beside."""
+    """Find the cell of the subset around a fractional column or row, and the share of it; ``None`` beside."""
     if not kept[0] <= place <= kept[-1]:
         return None
     number = min(bisect_right(kept, place) - 1, len(kept) - 2)

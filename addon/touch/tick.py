@@ -16,7 +16,7 @@ from ..terrain.frame import is_on_map, place_in_grid
 from ..terrain.kept import KeptError, recall_frame
 from ..terrain.view import redraw
 from .control import keep_control
-from .cursor import SIZE, cursor_object, shape_of, show_cursor
+from .cursor import SIZE, find_cursor, shape_of, show_cursor
 from .follow import carry_target, follow_target, lay_window
 from .follow_view import follow_view
 from .live import Readout, Touch, live
@@ -42,6 +42,10 @@ def tick() -> None:
     if terrain is None or scene is None:
         stop_touch("Touch stopped: the terrain is gone from the scene.")
         return
+    cursor = find_cursor(scene)
+    if cursor is None:
+        stop_touch("Touch stopped: its cursor was deleted, or its start was undone.")
+        return
     with suppress(KeptError):  # what was changed by hand is told when touch starts again
         touch.frame = recall_frame(terrain)
     placement = Placement.of(terrain, touch.frame)
@@ -61,7 +65,7 @@ def tick() -> None:
     touch.readout = _readout(touch, state)
     if not live.rendering:
         follow_view(touch, scene, placement)
-        _show(touch, scene, placement, state)
+        _show(touch, cursor, placement, state)
         redraw(bpy.context)
 
 
@@ -77,7 +81,7 @@ def _keep_exaggeration(touch: Touch, placement: Placement) -> None:
         lay_window(touch, stretched(window, placement.exaggeration))
 
 
-def _show(touch: Touch, scene: bpy.types.Scene, placement: Placement, state: State) -> None:
+def _show(touch: Touch, cursor: bpy.types.Object, placement: Placement, state: State) -> None:
     """Move the cursor to the proxy."""
     east, north, up = state.proxy
     height = touch.surface.height_at(touch.frame.on_map(east), north)
@@ -85,7 +89,7 @@ def _show(touch: Touch, scene: bpy.types.Scene, placement: Placement, state: Sta
     size = SIZE * placement.longest_side(touch.grid.layout) * touch.view_scale
     turn = placement.upright(east, north)
     shape = shape_of(state.mode, in_contact=state.in_contact)
-    show_cursor(cursor_object(scene), place, turn, size, shape)
+    show_cursor(cursor, place, turn, size, shape)
 
 
 def _readout(touch: Touch, state: State) -> Readout:

@@ -1,8 +1,8 @@
 """Measure MarsView's interface in Blender; ``make bench-interface`` runs this.
 
-The timer's tick is measured here on a live session, forces and momentum through the native module in stepped
-time. What is drawn needs a Blender of its own each: overlay and preview are measured by scripts beside this one,
-each of which prints its figures as one JSON object on its last line.
+The timer's tick is measured here on a live session, forces and momentum through the native module in
+stepped time. What is drawn needs a Blender of its own each: overlay and preview are measured by scripts
+beside this one, each of which prints its figures as one JSON object on its last line.
 """
 
 from __future__ import annotations
@@ -81,7 +81,9 @@ def measured_by(script: Path, grid: Path) -> Figures:
     except json.JSONDecodeError:
         figures = None
     if not isinstance(figures, dict):
-        raise SystemExit(f"{script.name} should print its figures as a JSON object on its last line, not {last!r}")
+        raise SystemExit(
+            f"{script.name} should print a JSON object of figures on its last line, not {last!r}"
+        )
     return figures
 
 

@@ -119,7 +119,7 @@ def _look_at_drift(
 
 def _hills() -> Grid:
     """Waves with noise on them, up to 70 cm."""
-    rows, columns = np.mgrid[0:SIDE, 0:SIDE]
+    _rows, columns = np.mgrid[0:SIDE, 0:SIDE]
     heights = 0.3 * np.sin(0.7 * columns) + np.random.default_rng(1).uniform(0.0, 0.4, (SIDE, SIDE))
     layout = GridLayout(SIDE, SIDE, cell_width=1.0, cell_height=1.0, sample="f64", byte_order="little")
     return Grid.from_buffer(heights.astype("<f8").tobytes(), layout)

@@ -27,7 +27,10 @@ def tick_milliseconds(label: Path, *, seconds: float) -> list[float]:
     bpy.ops.wm.read_factory_settings(use_empty=True)
     enable()
     bpy.ops.haptic_terrain.import_grid(filepath=str(label.resolve()))
-    part = lambda name: importlib.import_module(f"{MODULE}.{name}")  # noqa: E731
+
+    def part(name: str) -> Any:
+        return importlib.import_module(f"{MODULE}.{name}")
+
     bpy.ops.haptic_terrain.touch_start()
     tick, live, stylus = part("touch.tick").tick, part("touch.live").live, part("touch.stylus")
     target = bpy.data.objects[part("touch.target").NAME]
@@ -42,7 +45,7 @@ def tick_milliseconds(label: Path, *, seconds: float) -> list[float]:
 
 
 def _ticks(tick: Any, touch: Any, stylus: Any, target: Any, seconds: float) -> list[float]:
-    """Lead the hand in circles, down into the ground and up into the air, and press the button now and then."""
+    """Lead the hand in circles, down into the ground and up into the air; press the button at times."""
     import bpy
 
     times = []

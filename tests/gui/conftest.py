@@ -56,7 +56,9 @@ def play(window: Path, package: Path) -> Play:
         output = OUTPUT / scenario
         outcome = run(window, scenario, files=[package, *files], output=output)
         if outcome.failure is not None:
-            pytest.fail(f"{outcome.failure}\nPictures and log: {os.path.relpath(output, ROOT)}", pytrace=False)
+            pytest.fail(
+                f"{outcome.failure}\nPictures and log: {os.path.relpath(output, ROOT)}", pytrace=False
+            )
         return outcome
 
     return played

@@ -34,3 +34,7 @@ def test_a_take_is_undone_saved_and_loaded_and_blender_quits_in_mid_touch(
     outcome = play("takes", *planet)
     assert SERVO in outcome.threads_between("touching again", "quits")
     assert outcome.left_running == []
+
+
+def test_undo_in_mid_touch_goes_back_beyond_its_start(play: Play, planet: list[Path]) -> None:
+    play("undo", *planet)

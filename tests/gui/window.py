@@ -1,4 +1,4 @@
-"""Blender in a real window on a screen that exists in memory only: runs one scenario, and tells what came of it.
+"""Blender in a real window, on a screen in memory: runs one scenario, and tells what came of it.
 
 ``.ci/make-window`` makes the folder with Debian's Blender. What is run there is copied into it, and what it
 leaves is copied out: no file system is mounted.
@@ -74,7 +74,12 @@ def make_window() -> Path:
 
 
 def run(
-    window: Path, scenario: str, *, files: Iterable[Path], output: Path, options: Mapping[str, Any] | None = None
+    window: Path,
+    scenario: str,
+    *,
+    files: Iterable[Path],
+    output: Path,
+    options: Mapping[str, Any] | None = None,
 ) -> Outcome:
     """Run ``scenarios/<scenario>.py`` in a Blender with factory settings.
 
@@ -117,7 +122,9 @@ def _watched(window: Path, work: Path, scenario: str) -> Outcome:
     told = work / "output" / "outcome.json"
     if not told.is_file():
         last = "\n".join(log.read_text(encoding="utf-8", errors="replace").splitlines()[-20:])
-        return Outcome(f"Blender ended with {running.returncode}, in the middle:\n{last}", last, left_running=left)
+        return Outcome(
+            f"Blender ended with {running.returncode}, in the middle:\n{last}", last, left_running=left
+        )
     outcome = Outcome(**json.loads(told.read_text(encoding="utf-8")), log=log.read_text(errors="replace"))
     outcome.threads, outcome.left_running = threads, left
     if outcome.failure is None and running.returncode != 0:
@@ -149,11 +156,10 @@ def _command(window: Path, inside: Path, scenario: str) -> list[str]:
 
 def _look_on(running: subprocess.Popen[bytes], inside: Path) -> list[tuple[float, frozenset[str]]]:
     """Note the names of Blender's threads until it has ended."""
-    threads = []
+    threads: list[tuple[float, frozenset[str]]] = []
     while running.poll() is None:
-        for process in processes_with(str(inside)):
-            if process.name == "blender":
-                threads.append((time.time(), process.threads()))
+        blenders = [process for process in processes_with(str(inside)) if process.name == "blender"]
+        threads += [(time.time(), blender.threads()) for blender in blenders]
         time.sleep(BETWEEN_LOOKS)
     return threads
 

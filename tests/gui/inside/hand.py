@@ -1,8 +1,8 @@
-"""Keys and mouse, simulated: Blender's own events, which drive modal operators and keymaps as real ones do."""
+"""Keys and mouse, simulated: Blender's own events drive modal operators and keymaps as real ones do."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from tests.gui.inside.blender import Blender
@@ -12,14 +12,9 @@ from tests.gui.inside.script import Script
 BETWEEN_EVENTS = 0.05
 """Seconds: Blender handles an event, and draws, before the next one comes."""
 
-TYPED = {" ": "SPACE", "-": "MINUS", ".": "PERIOD"} | {
-    digit: name
-    for digit, name in zip(
-        "0123456789",
-        ("ZERO", "ONE", "TWO", "THREE", "FOUR", "FIVE", "SIX", "SEVEN", "EIGHT", "NINE"),
-        strict=True,
-    )
-}
+DIGITS = ("ZERO", "ONE", "TWO", "THREE", "FOUR", "FIVE", "SIX", "SEVEN", "EIGHT", "NINE")
+
+TYPED = {" ": "SPACE", "-": "MINUS", ".": "PERIOD", **{str(n): name for n, name in enumerate(DIGITS)}}
 """Blender's names of keys that are not letters."""
 
 
@@ -75,7 +70,7 @@ class Hand:
         self, kind: str, value: str, *, shift: bool = False, ctrl: bool = False, unicode: str | None = None
     ) -> None:
         x, y = self.place
-        options = {"x": x, "y": y, "shift": shift, "ctrl": ctrl}
+        options: dict[str, Any] = {"x": x, "y": y, "shift": shift, "ctrl": ctrl}
         if unicode is not None:
             options["unicode"] = unicode
         self._blender.window.event_simulate(type=kind, value=value, **options)  # type: ignore[arg-type]

@@ -35,7 +35,7 @@ def show_tab(blender: Blender) -> Script[None]:
     yield Until("the sidebar is open", lambda: blender.region("UI").width > 50)
     blender.area.tag_redraw()
     yield 0.3  # a region has no tabs before it was drawn
-    blender.region("UI").active_panel_category = TAB
+    blender.region("UI").active_panel_category = TAB  # type: ignore[assignment]
     yield 0.2
 
 
@@ -80,7 +80,7 @@ def search(blender: Blender, words: str) -> Script[None]:
 
 
 def drawn(blender: Blender, before: Picture) -> Script[None]:
-    """Wait until the screen shows something else than before, and stays as it is: shaders are compiled first."""
+    """Wait until the screen shows something else, and stays as it is: shaders are compiled first."""
     seen = [before]
 
     def is_still() -> bool:
@@ -93,7 +93,7 @@ def drawn(blender: Blender, before: Picture) -> Script[None]:
 
 
 def shade_plainly(blender: Blender) -> Script[None]:
-    """Show materials' plain colours: what a processor can draw often enough, where there is no graphics card."""
+    """Show materials' plain colours, which can be drawn often enough without a graphics card."""
     blender.space.shading.type = "SOLID"
     yield 0.2
 
@@ -151,4 +151,5 @@ def contact_is(blender: Blender, *, in_contact: bool) -> Until:
 
 def cursor(blender: Blender) -> bpy.types.Object:
     """The cursor's object."""
-    return bpy.data.objects[blender.part("touch.cursor").NAME]
+    name: str = blender.part("touch.cursor").NAME
+    return bpy.data.objects[name]

@@ -59,7 +59,8 @@ def _four_shapes(blender: Blender) -> Script[None]:
     check(blender.touch.session.window.width < before.width, "the zoom did not narrow the window")
 
     blender.figures["cursor"] = {
-        name: vars(shape) for name, shape in (("free", free), ("contact", contact), ("pan", pan), ("zoom", zoom))
+        name: vars(shape)
+        for name, shape in (("free", free), ("contact", contact), ("pan", pan), ("zoom", zoom))
     }
     _check_shapes(free, contact, pan, zoom)
 

@@ -1,4 +1,4 @@
-"""How long the timer takes, and how many frames Blender draws with touch and without: for a bench, not a test.
+"""How long the timer takes, and how many frames are drawn with touch and without: for a bench, not a test.
 
 In both kinds of blocks the Empty and the cursor move sixty times a second, for a scene that changes is drawn
 more slowly than one that stands still; what differs is all that touch adds, the sidebar's new text included.

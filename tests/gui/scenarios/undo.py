@@ -1,4 +1,4 @@
-"""Undo in mid-touch: what the timer made since the last step of undo must not leave Blender with dead pointers."""
+"""Undo in mid-touch: what the timer did since the last step must not leave Blender with dead pointers."""
 
 from __future__ import annotations
 
@@ -43,6 +43,7 @@ def _beyond_the_start(blender: Blender) -> Script[None]:
     for _ in range(5):
         yield from _undo(blender)
     yield from blender.picture("undone")
+    check(blender.touch is None, "touch goes on although its start was undone")
     for _ in range(5):
         yield from blender.hand.over_view()
         yield from blender.hand.tap("Z", ctrl=True, shift=True)
