@@ -31,8 +31,8 @@ NAME = "Haptic Cursor"
 MARK = "haptic_terrain_cursor"
 """ID property of the cursor."""
 
-SIZE = 0.015
-"""Of the terrain's longest side: seen at once, and small enough to point."""
+SIZE = 0.02
+"""Of the terrain's longest side: ten pixels where all of it is in view, and small enough to point."""
 
 
 @dataclass(frozen=True)

@@ -29,8 +29,8 @@ SIDE = 64
 BETWEEN_AIMS, BETWEEN_BUTTONS = 0.15, 0.025
 """Seconds, mean."""
 
-CHUNK = 20_000
-"""Ticks done between two looks; the session's ring holds three times as many."""
+SECONDS = 20.0
+"""That each hand wanders; the session's ring holds three times as much."""
 
 
 @dataclass
@@ -50,42 +50,38 @@ class Figures:
 
 
 def wander(changes: int, *, seed: int = 7) -> Figures:
-    """Let a hand wander until the mode has changed so often."""
-    # Half of what it takes at the most: a button that goes down and up in one tick changes nothing.
-    session = Session(
-        _hills(),
-        _wandering_hand(2.0 * changes * BETWEEN_BUTTONS, np.random.default_rng(seed)),
-        Window(SIDE / 2, -SIDE / 2, 0.0, width=16.0),
-        walls=True,
-        modes=True,
-        stale_after=None,
-    )
-    figures, last = Figures(), np.empty((0, len(Ticks.columns)))
-    energy = _Drift()
-    while session.statistics().mode_changes < changes:
-        session.step(CHUNK)
-        drained = session.drain()
-        now = np.column_stack([np.asarray(drained.column(name)) for name in Ticks.columns])
-        # Differences need the tick before.
-        _look(figures, np.vstack([last, now]), session.max_slew * TICK, energy)
-        last = now[-1:]
-    figures.mode_changes = session.statistics().mode_changes
+    """Let one hand after another wander until the mode has changed so often.
+
+    Each begins over the middle of the ground: in time, pans lead beyond the map's edge.
+    """
+    figures = Figures()
+    while figures.mode_changes < changes:
+        _wander_once(figures, np.random.default_rng(seed))
+        seed += 1
     return figures
 
 
-class _Drift:
-    """The energy that the ground was let go with, and whether it still moves because of that."""
+def _wander_once(figures: Figures, random: np.random.Generator) -> None:
+    session = Session(
+        _hills(),
+        _wandering_hand(SECONDS, random),
+        Window(SIDE / 2, -SIDE / 2, 0.0, width=16.0),
+        walls=True,
+        modes=True,
+    )
+    session.step(round(SECONDS / TICK))
+    drained = session.drain()
+    rows = np.column_stack([np.asarray(drained.column(name)) for name in Ticks.columns])
+    if not np.isfinite(rows).all():
+        raise ArithmeticError("a tick told something that is no number")
+    _look(figures, rows, session.max_slew * TICK)
+    figures.mode_changes += session.statistics().mode_changes
 
-    def __init__(self) -> None:
-        self.let_go_with = 0.0
 
-
-def _look(figures: Figures, rows: Numbers, longest_step: float, drift: _Drift) -> None:
+def _look(figures: Figures, rows: Numbers, longest_step: float) -> None:
     """Take differences from tick to tick."""
     ticks = {name: rows[:, number] for number, name in enumerate(Ticks.columns)}
     force = np.column_stack([ticks[f"force_{axis}"] for axis in "xyz"])
-    if not np.isfinite(rows).all():
-        raise ArithmeticError("a tick told something that is no number")
     steps = np.linalg.norm(np.diff(force, axis=0), axis=1)
     figures.force_step = max(figures.force_step, float(steps.max()) / longest_step)
     zooms = np.diff(ticks["window_width"]) != 0.0
@@ -95,26 +91,26 @@ def _look(figures: Figures, rows: Numbers, longest_step: float, drift: _Drift) -
     )
     figures.wall_touches += int((at_wall[1:] & ~at_wall[:-1]).sum())
     figures.contact_ticks += int(((ticks["mode"] == 0.0) & (ticks["feature"] != 0.0)).sum())
-    _look_at_drift(figures, ticks, zooms, drift)
+    _look_at_drift(figures, ticks, zooms)
 
 
-def _look_at_drift(
-    figures: Figures, ticks: dict[str, Numbers], zooms: npt.NDArray[np.bool_], drift: _Drift
-) -> None:
+def _look_at_drift(figures: Figures, ticks: dict[str, Numbers], zooms: npt.NDArray[np.bool_]) -> None:
+    """Compare the energy of a drift with that which the ground was let go with."""
     way = np.hypot(np.diff(ticks["window_east"]), np.diff(ticks["window_north"]))
     speed = way * WORKSPACE[0] / ticks["window_width"][1:] / TICK
     mode = ticks["mode"]
     energies = np.where((mode[1:] == 2.0) | zooms, 0.0, 0.5 * PAN_MASS * speed**2)
     drifts = (mode[1:] == 0.0) & (mode[:-1] == 0.0)
+    let_go_with = 0.0
     for energy, drifting in zip(energies.tolist(), drifts.tolist(), strict=True):
         if not drifting:
-            drift.let_go_with = energy
+            let_go_with = energy
             continue
         if energy > 0.0:
             figures.drift_ticks += 1
             # What differences of a window's metres round.
-            rounding = 1e-9 * drift.let_go_with + 1e-15
-            figures.energy_gain = max(figures.energy_gain, energy - drift.let_go_with - rounding)
+            rounding = 1e-9 * let_go_with + 1e-15
+            figures.energy_gain = max(figures.energy_gain, energy - let_go_with - rounding)
 
 
 def _hills() -> Grid:
@@ -131,7 +127,7 @@ def _wandering_hand(seconds: float, random: np.random.Generator) -> ScriptedDevi
     times = np.concatenate([[0.0], legs])
     places = [np.array([0.0, 0.0, 0.02])]
     for duration in np.diff(times):
-        way = random.uniform((-0.09, -0.07, -0.07), (0.09, 0.07, 0.03)) - places[-1]
+        way = random.uniform((-0.09, -0.07, -0.02), (0.09, 0.07, 0.03)) - places[-1]
         reach = random.uniform(0.0, 0.6) * duration / np.linalg.norm(way)
         places.append(places[-1] + min(reach, 1.0) * way)
     turns = np.concatenate([[0.0], np.cumsum(random.uniform(-6.0, 6.0, len(legs)) * np.diff(times))])

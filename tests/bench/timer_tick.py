@@ -8,6 +8,9 @@ import time
 from pathlib import Path
 from typing import Any
 
+Times = list[tuple[float, float]]
+"""Milliseconds of each tick by the clock, and of them at work: other programs may have the processor too."""
+
 BETWEEN = 1.0 / 60.0
 """Seconds between two ticks, as the timer has it."""
 
@@ -15,8 +18,8 @@ PRESS_EVERY = 40
 """Ticks after which the stylus button goes down or up."""
 
 
-def tick_milliseconds(label: Path, *, seconds: float) -> list[float]:
-    """Milliseconds of each tick on a live session, half of the time with a take in the making.
+def tick_milliseconds(label: Path, *, seconds: float) -> Times:
+    """Time each tick on a live session, half of the time with a take in the making.
 
     Nothing is drawn: the bpy module has no window, and what a view costs is told apart.
     ``BLENDER_USER_RESOURCES`` must be set, as for every script that enables the extension.
@@ -44,19 +47,19 @@ def tick_milliseconds(label: Path, *, seconds: float) -> list[float]:
     return times
 
 
-def _ticks(tick: Any, touch: Any, stylus: Any, target: Any, seconds: float) -> list[float]:
+def _ticks(tick: Any, touch: Any, stylus: Any, target: Any, seconds: float) -> Times:
     """Lead the hand in circles, down into the ground and up into the air; press the button at times."""
     import bpy
 
-    times = []
+    times: Times = []
     for number in range(round(seconds / BETWEEN)):
         angle = 0.03 * number
         target.location = (2.0 * math.cos(angle), math.sin(angle), 0.6 * math.sin(0.37 * angle))
         bpy.context.view_layer.update()
         if number % PRESS_EVERY == 0:
             (stylus.release if touch.is_pressed else stylus.press)(touch)
-        began = time.perf_counter()
+        clock, work = time.perf_counter(), time.thread_time()
         tick()
-        times.append((time.perf_counter() - began) * 1000.0)
+        times.append(((time.perf_counter() - clock) * 1000.0, (time.thread_time() - work) * 1000.0))
         time.sleep(BETWEEN)
     return times
