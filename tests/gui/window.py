@@ -103,7 +103,7 @@ def run(
 
 
 def _fill(work: Path, files: Iterable[Path]) -> None:
-    for folder in ("files", "output", "resources", "home"):
+    for folder in ("files", "output", "resources", "home", "temporary"):
         (work / folder).mkdir()
     for file in files:
         shutil.copy2(file, work / "files")
@@ -119,6 +119,8 @@ def _watched(window: Path, work: Path, scenario: str) -> Outcome:
         running = subprocess.Popen(command, stdout=out, stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL)
         threads = _look_on(running, inside)
     left = _end_all(inside)
+    for crash in (work / "temporary").glob("*.crash.txt"):
+        shutil.copy2(crash, work / "output")
     told = work / "output" / "outcome.json"
     if not told.is_file():
         last = "\n".join(log.read_text(encoding="utf-8", errors="replace").splitlines()[-20:])
@@ -136,6 +138,7 @@ def _command(window: Path, inside: Path, scenario: str) -> list[str]:
     environment = {
         "PATH": "/usr/bin:/bin",
         "HOME": str(inside / "home"),
+        "TMPDIR": str(inside / "temporary"),
         "LANG": "C.UTF-8",
         "LIBGL_ALWAYS_SOFTWARE": "1",
         "MESA_SHADER_CACHE_DIR": "/var/cache/shaders",  # outlives a run: compiling takes most of the time
