@@ -55,10 +55,12 @@ def play(window: Path, package: Path) -> Play:
     def played(scenario: str, *files: Path) -> Outcome:
         output = OUTPUT / scenario
         outcome = run(window, scenario, files=[package, *files], output=output)
-        if outcome.failure is not None:
-            pytest.fail(
-                f"{outcome.failure}\nPictures and log: {os.path.relpath(output, ROOT)}", pytrace=False
-            )
+        failure = outcome.failure
+        if failure is None and "Traceback (most recent call last)" in outcome.log:
+            failure = "Python failed somewhere in Blender: the log says where"
+        if failure is not None:
+            where = os.path.relpath(output, ROOT)
+            pytest.fail(f"{failure}\nPictures and log: {where}", pytrace=False)
         return outcome
 
     return played
