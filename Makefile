@@ -146,6 +146,13 @@ test: test-native test-python ## Run every test
 test-python: cargo $(NATIVE) $(SAMPLE) ## Run the Python tests: native module, add-on, build
 	@$(IN_BUILD) $(BIN)/python -m pytest $(ARGS)
 
+# Debian's Blender in a folder outside this one, made once: not in the cache that IN_BUILD names.
+.PHONY: test-gui
+test-gui: cargo $(PACKAGE)/package.stamp ## Play scenarios in a real Blender window on a screen in memory: build/gui
+	@mkdir -p $(BENCH)
+	@$(BIN)/python -m pytest tests/gui $(ARGS)
+	@$(BIN)/python tests/bench/measure_window.py $(BENCH)/gui.json --package $(PACKAGE)
+
 # The same random cases every time, so that a change that fails is a change that broke something.
 export PROPTEST_RNG_SEED ?= 2003
 
@@ -199,6 +206,12 @@ bench-formats: cargo $(NATIVE) ## Measure the readers of elevation files beside 
 	@mkdir -p $(BENCH)
 	@$(BIN)/python -m pip install --quiet --group rasterio
 	@$(IN_BUILD) $(BIN)/python tests/bench/measure_formats.py $(BENCH)/formats.json --data ../shared/data $(ARGS)
+
+.PHONY: bench-interface
+bench-interface: cargo $(NATIVE) $(SAMPLE) ## Measure the interface in Blender: timer, overlay, preview, forces at mode changes
+	@mkdir -p $(BENCH)
+	@$(IN_BUILD) $(BIN)/python tests/bench/measure_interface.py $(BENCH)/interface.json \
+		--grid "$(or $(wildcard $(MOLA)),$(SAMPLE))"
 
 # ---------------------------------------------------------------- the extension
 

@@ -31,8 +31,8 @@ NAME = "Haptic Cursor"
 MARK = "haptic_terrain_cursor"
 """ID property of the cursor."""
 
-SIZE = 0.015
-"""Of the terrain's longest side: seen at once, and small enough to point."""
+SIZE = 0.02
+"""Of the terrain's longest side: ten pixels where all of it is in view, and small enough to point."""
 
 ROUNDING = 1e-5
 """Of the cursor's size: less is neither seen nor, in Blender's 32 bits, always kept."""
@@ -79,6 +79,8 @@ FREE = Shape("Haptic Cursor Free", SKY_BLUE, _build_sphere)
 CONTACT = Shape("Haptic Cursor Contact", BLUISH_GREEN, _build_cone, is_smooth=False)
 PAN = Shape("Haptic Cursor Pan", VERMILLION, _build_flat)
 ZOOM = Shape("Haptic Cursor Zoom", REDDISH_PURPLE, _build_tall)
+LOOKS = (FREE, CONTACT, PAN, ZOOM)
+"""Of the cursor."""
 
 TAKE_COLOURS: tuple[Colour, ...] = (
     (1.0, 0.75, 0.1),
@@ -105,8 +107,10 @@ def shape_of(mode: Mode, *, in_contact: bool) -> Shape:
     return CONTACT if in_contact else FREE
 
 
-def cursor_object(scene: bpy.types.Scene) -> bpy.types.Object:
-    """Find a scene's cursor, or make it (also after a person deleted it, or an undo did)."""
+def make_cursor(scene: bpy.types.Scene) -> bpy.types.Object:
+    """Find a scene's cursor, or make it, with all of its looks; for operators, never for the timer."""
+    for shape in LOOKS:
+        shape_mesh(shape)
     cursor = own_object(scene, MARK)
     if cursor is None:
         cursor = bpy.data.objects.new(NAME, shape_mesh(FREE))
@@ -114,6 +118,17 @@ def cursor_object(scene: bpy.types.Scene) -> bpy.types.Object:
         cursor.hide_select = True
         scene.collection.objects.link(cursor)
     return cursor
+
+
+def find_cursor(scene: bpy.types.Scene) -> bpy.types.Object | None:
+    """Find a scene's cursor; ``None`` where it, or one of its looks, was deleted or undone.
+
+    The timer makes nothing anew. What is made between two steps of undo, and linked to what both of them
+    have, is a dead pointer after the next undo, and Blender crashes.
+    """
+    if any(shape.name not in bpy.data.meshes for shape in LOOKS):
+        return None
+    return own_object(scene, MARK)
 
 
 def show_cursor(cursor: bpy.types.Object, place: Vector, turn: Quaternion, size: float, shape: Shape) -> None:

@@ -22,6 +22,7 @@ from ..terrain.kept import KeptTerrain, is_terrain, recall
 from ..terrain.opening import open_shown
 from ..terrain.preview import preview_cells, preview_surface
 from ..terrain.undone import undone_on_failure
+from .cursor import make_cursor
 from .error import TouchError
 from .handle import Handle
 from .live import Touch, live
@@ -118,6 +119,7 @@ def _touch(
         target = Handle.to(empty)
         place = above_ground(_place(empty, placement, grid), grid, window)
         device = SimulatedDevice(target=to_workspace(place, window, workspace[0]))
+    make_cursor(scene)
     model = chosen_model(scene)
     session = Session(
         grid,

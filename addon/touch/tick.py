@@ -15,7 +15,7 @@ from proxygraph import SessionError, State
 from ..terrain.frame import is_on_map, place_in_grid
 from ..terrain.kept import KeptError, recall_frame
 from .control import keep_control
-from .cursor import SIZE, cursor_object, shape_of, show_cursor
+from .cursor import SIZE, find_cursor, shape_of, show_cursor
 from .follow import carry_target, follow_target, lay_window
 from .follow_view import follow_view
 from .live import Readout, Touch, live
@@ -47,6 +47,10 @@ def tick() -> None:
     if terrain is None or scene is None:
         stop_touch("Touch stopped: the terrain is gone from the scene.")
         return
+    cursor = find_cursor(scene)
+    if cursor is None:
+        stop_touch("Touch stopped: its cursor was deleted, or its start was undone.")
+        return
     with suppress(KeptError):  # what was changed by hand is told when touch starts again
         touch.frame = recall_frame(terrain)
     placement = Placement.of(terrain, touch.frame)
@@ -70,7 +74,7 @@ def tick() -> None:
     if not live.rendering:
         follow_view(touch, scene, placement)
         show_detail(touch, scene, terrain, placement, state)
-        _show(touch, scene, placement, state)
+        _show(touch, cursor, placement, state)
         refresh(touch, scene)
 
 
@@ -86,7 +90,7 @@ def _keep_exaggeration(touch: Touch, placement: Placement) -> None:
         lay_window(touch, stretched(window, placement.exaggeration))
 
 
-def _show(touch: Touch, scene: bpy.types.Scene, placement: Placement, state: State) -> None:
+def _show(touch: Touch, cursor: bpy.types.Object, placement: Placement, state: State) -> None:
     """Move the cursor to the proxy."""
     east, north, up = state.proxy
     shown = touch.detail.surface if touch.detail is not None else None
@@ -95,7 +99,7 @@ def _show(touch: Touch, scene: bpy.types.Scene, placement: Placement, state: Sta
     size = SIZE * placement.longest_side(touch.grid.layout) * touch.view_scale
     turn = placement.upright(east, north)
     shape = shape_of(state.mode, in_contact=state.in_contact)
-    show_cursor(cursor_object(scene), place, turn, size, shape)
+    show_cursor(cursor, place, turn, size, shape)
     touch.shown = Shown(
         place=place,
         turn=turn,

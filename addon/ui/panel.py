@@ -70,7 +70,7 @@ class HAPTIC_TERRAIN_PT_touch(bpy.types.Panel):
             draw_message(layout, live.message)
         if live.touch is None:
             layout.prop(context.scene.haptic_terrain, "device")
-            layout.prop(context.scene.haptic_terrain, "window_width", text="Width in km (0 = all)")
+            layout.prop(context.scene.haptic_terrain, "window_width", text="Width in km")
             layout.prop(context.scene.haptic_terrain, "max_force", text="Max Force in N")
             layout.prop(context.scene.haptic_terrain, "passivity_control")
             _draw_model(layout, context.scene)

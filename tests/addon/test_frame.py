@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 from proxygraph import GridLayout
 
@@ -70,6 +71,22 @@ def test_the_preview_has_no_height_off_the_map_or_in_a_hole(tmp_path: Path) -> N
     assert surface.height_at(4.01 * width, -height) is None
     assert surface.height_at(1.9 * width, -1.9 * height) is None
     assert surface.height_at(4.0 * width, -4.0 * height) == pytest.approx(heights[4][4])
+
+
+def test_many_places_of_the_preview_have_the_heights_that_each_has(tmp_path: Path) -> None:
+    heights = rough(9, 13)
+    heights[4][6] = -32768
+    terrain = import_grid(MegdrPair(heights, image={"MISSING_CONSTANT": -32768}).write(tmp_path))
+    grid = module("terrain.kept").recall(terrain).grid.open()
+    surface = _surface(grid, 50)
+    random = np.random.default_rng(1)
+    # A little beyond the map on every side, and on its samples.
+    east = np.append(random.uniform(-1.0, 13.0, 500), np.arange(13.0)) * grid.layout.cell_width
+    north = -np.append(random.uniform(-1.0, 9.0, 500), np.arange(13.0) % 9.0) * grid.layout.cell_height
+    each = [surface.height_at(*place) for place in zip(east.tolist(), north.tolist(), strict=True)]
+    assert None in each
+    alone = np.array([np.nan if height is None else height for height in each])
+    np.testing.assert_allclose(surface.heights_at(east, north), alone, rtol=1e-12)
 
 
 def test_the_preview_of_a_planet_goes_on_to_its_seam(tmp_path: Path) -> None:

@@ -320,10 +320,13 @@ def test_renaming_the_terrain_does_not_stop_touch(terrain: bpy.types.Object) -> 
     assert live().touch is touch
 
 
-def test_a_deleted_cursor_comes_back(terrain: bpy.types.Object) -> None:
+def test_a_deleted_cursor_stops_touch_and_comes_back_with_the_next(terrain: bpy.types.Object) -> None:
     touch = start(device=sweep())
     bpy.data.objects.remove(cursor())
     step(touch, 1000)
+    assert live().touch is None
+    assert "cursor was deleted" in live().message
+    step(start(device=sweep()), 1000)
     assert cursor().name in bpy.context.scene.objects
 
 
@@ -336,10 +339,10 @@ def test_a_deleted_target_leaves_the_hand_where_it_is(terrain: bpy.types.Object)
 
 def test_undo_is_survived(terrain: bpy.types.Object) -> None:
     bpy.context.preferences.edit.use_global_undo = True
-    bpy.ops.ed.undo_push(message="imported")
     touch = start(device=sweep())
     bpy.ops.ed.undo_push(message="touching")
     step(touch, 500)
+    bpy.ops.ed.undo_push(message="something else")
     bpy.ops.ed.undo()
     step(touch, 500)
     assert live().touch is touch
@@ -347,6 +350,33 @@ def test_undo_is_survived(terrain: bpy.types.Object) -> None:
     bpy.ops.ed.redo()
     step(touch, 100)
     assert live().touch is touch
+
+
+def test_undoing_the_start_stops_touch_and_puts_nothing_into_the_scene(terrain: bpy.types.Object) -> None:
+    bpy.context.preferences.edit.use_global_undo = True
+    bpy.ops.ed.undo_push(message="imported")
+    touch = start(device=sweep())
+    bpy.ops.ed.undo_push(message="touching")
+    step(touch, 500)
+    bpy.ops.ed.undo()
+    before = contents()
+    tick()
+    assert live().touch is None
+    assert not touch.session.running
+    assert "its start was undone" in live().message
+    assert contents() == before
+
+
+def test_every_look_of_the_cursor_is_there_from_the_start(terrain: bpy.types.Object) -> None:
+    """What the timer made between two steps of undo would be a dead pointer after an undo."""
+    touch = start(device=sweep(), modes=True)
+    before, looks = contents(), {cursor().data.name}
+    for mode in ("normal", "pan", "zoom"):
+        touch.session.set_mode(mode)
+        step(touch, 500)
+        looks.add(cursor().data.name)
+    assert len(looks) == 4
+    assert contents() == before
 
 
 def test_undoing_the_import_stops_touch(tmp_path: Path) -> None:

@@ -19,6 +19,7 @@ class HAPTIC_TERRAIN_PT_georeference(bpy.types.Panel):
     bl_region_type = "UI"
     bl_category = TAB
     bl_parent_id = "HAPTIC_TERRAIN_PT_terrain"
+    bl_options = {"DEFAULT_CLOSED"}  # noqa: RUF012  # so that Touch is seen without scrolling
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
