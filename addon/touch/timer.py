@@ -95,6 +95,13 @@ def _render_ends(*_arguments: object) -> None:
 
 
 @persistent  # type: ignore[untyped-decorator]
+def _before_undo(*_arguments: object) -> None:
+    """What the timer made must not be linked to anything while a step is undone: see ``find_cursor``."""
+    if live.touch is not None and live.touch.detail is not None and not live.rendering:
+        live.touch.detail.put_away()
+
+
+@persistent  # type: ignore[untyped-decorator]
 def _state_returns(*_arguments: object) -> None:
     """An undo, or a file that was saved on its own in mid-touch, brings back what was shown then."""
     clear_levels()
@@ -105,6 +112,8 @@ def _handlers() -> list[tuple[list[Any], Callable[..., None]]]:
     return [
         (handlers.load_pre, _before_load),
         (handlers.load_post, _state_returns),
+        (handlers.undo_pre, _before_undo),
+        (handlers.redo_pre, _before_undo),
         (handlers.undo_post, _state_returns),
         (handlers.redo_post, _state_returns),
         (handlers.render_init, _render_begins),
