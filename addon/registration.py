@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import bpy
 
 from .formats.cache import cache
+from .package import OwnFolder, own_folder
 from .terrain import saving
 from .touch import timer
 from .ui import (
+    download_operator,
     import_operator,
     keymap,
     panel,
@@ -26,6 +26,7 @@ CLASSES: tuple[type, ...] = (
     settings.HapticTerrainSettings,
     import_operator.HAPTIC_TERRAIN_OT_import_grid,
     import_operator.HAPTIC_TERRAIN_FH_grid,
+    download_operator.HAPTIC_TERRAIN_OT_download_mola,
     touch_operators.HAPTIC_TERRAIN_OT_touch_start,
     touch_operators.HAPTIC_TERRAIN_OT_touch_update,
     touch_operators.HAPTIC_TERRAIN_OT_touch_stop,
@@ -57,7 +58,7 @@ def register() -> None:
     bpy.types.Scene.haptic_terrain = bpy.props.PointerProperty(type=settings.HapticTerrainSettings)
     bpy.types.TOPBAR_MT_file_import.append(import_operator.draw_menu)  # type: ignore[arg-type]
     # Extensions write nowhere else.
-    cache.folder = Path(bpy.utils.extension_path_user(__package__, path="cache"))
+    cache.folder = own_folder(OwnFolder.CACHE)
     saving.register()
     timer.register()
     keymap.register()
