@@ -1,7 +1,8 @@
-"""Usage: write_notices.py FOLDER CARGO_TOML TARGET: writes FOLDER/THIRD-PARTY.txt, the licences of what is bundled.
+"""Usage: write_notices.py FOLDER CARGO_TOML TARGET: writes the licences of all that is bundled.
 
-That is every Rust crate that is linked into the native module for TARGET, and every wheel in FOLDER/wheels, each
-with its licence files as they stand; and the C libraries inside the wheels, whose licences lie in ``.ci/licences``.
+They come into FOLDER/THIRD-PARTY.txt: of every Rust crate that is linked into the native module for TARGET and
+of every wheel in FOLDER/wheels, their licence files as they stand; and of the C libraries inside the wheels,
+what ``.ci/licences`` says.
 """
 
 from __future__ import annotations
@@ -56,9 +57,11 @@ def linked_crates(metadata: dict[str, Any]) -> Iterator[dict[str, Any]]:
         seen.add(crate)
         if package["source"] is not None:  # else it is our own
             yield package
-        for dependency in nodes[crate]["deps"]:
-            if any(kind["kind"] is None for kind in dependency["dep_kinds"]):
-                waiting.append(dependency["pkg"])
+        waiting.extend(
+            dependency["pkg"]
+            for dependency in nodes[crate]["deps"]
+            if any(kind["kind"] is None for kind in dependency["dep_kinds"])
+        )
 
 
 def crates(cargo_toml: str, target: str) -> list[Component]:
@@ -96,7 +99,9 @@ def wheels(folder: Path) -> list[Component]:
             names = [entry for entry in wheel.namelist() if entry.startswith(inside)]
             facts = email.message_from_bytes(wheel.read(f"{inside}METADATA"))
             texts = [wheel.read(entry).decode() for entry in names if _is_licence(entry.rpartition("/")[2])]
-        licence = facts["License-Expression"] or facts["License"] or _classified(facts.get_all("Classifier", []))
+        licence = (
+            facts["License-Expression"] or facts["License"] or _classified(facts.get_all("Classifier", []))
+        )
         source = facts["Home-page"] or ", ".join(facts.get_all("Project-URL", []))
         found[name] = _whole(name, licence, source, tuple(texts))
     return list(found.values())
@@ -141,7 +146,11 @@ def notices(components: list[Component]) -> str:
     for component in components:
         shared = [numbers.setdefault(text.strip(), len(numbers) + 1) for text in component.texts]
         where = ", ".join(f"text {number}" for number in shared) or "see LICENSE"
-        lines += [component.name, f"    licence: {component.licence} ({where})", f"    source: {component.source}"]
+        lines += [
+            component.name,
+            f"    licence: {component.licence} ({where})",
+            f"    source: {component.source}",
+        ]
     for text, number in numbers.items():
         lines += ["", RULE, f"Text {number}", RULE, "", text]
     return "\n".join(lines) + "\n"

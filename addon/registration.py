@@ -14,16 +14,23 @@ from .ui import (
     keymap,
     panel,
     place_operators,
+    preference_operators,
+    preferences,
+    presets,
     profile_operators,
     record_operators,
     settings,
     stylus_operators,
+    terrain_operators,
+    terrain_properties,
     touch_operators,
+    translations,
 )
-from .ui.panels import colours, georeference, profile
+from .ui.panels import colours, georeference, profile, terrain_data
 
 CLASSES: tuple[type, ...] = (
     settings.HapticTerrainSettings,
+    terrain_properties.HapticTerrainObject,
     import_operator.HAPTIC_TERRAIN_OT_import_grid,
     import_operator.HAPTIC_TERRAIN_FH_grid,
     download_operator.HAPTIC_TERRAIN_OT_download_mola,
@@ -41,6 +48,13 @@ CLASSES: tuple[type, ...] = (
     profile_operators.HAPTIC_TERRAIN_OT_mark,
     profile_operators.HAPTIC_TERRAIN_OT_add_profile,
     profile_operators.HAPTIC_TERRAIN_OT_export_profile,
+    terrain_operators.HAPTIC_TERRAIN_OT_rebuild,
+    terrain_operators.HAPTIC_TERRAIN_OT_relink,
+    presets.HAPTIC_TERRAIN_MT_touch_presets,
+    presets.HAPTIC_TERRAIN_OT_touch_preset_add,
+    preference_operators.HAPTIC_TERRAIN_OT_copy_diagnostics,
+    preference_operators.HAPTIC_TERRAIN_OT_clear_folder,
+    preferences.HapticTerrainPreferences,
     panel.HAPTIC_TERRAIN_PT_terrain,
     georeference.HAPTIC_TERRAIN_PT_georeference,
     colours.HAPTIC_TERRAIN_PT_colours,
@@ -48,28 +62,36 @@ CLASSES: tuple[type, ...] = (
     panel.HAPTIC_TERRAIN_PT_touch,
     panel.HAPTIC_TERRAIN_PT_safety,
     panel.HAPTIC_TERRAIN_PT_record,
+    terrain_data.HAPTIC_TERRAIN_PT_data,
 )
 
 
 def register() -> None:
-    """Add classes, the scene's settings, the menu entry, the handlers and the key."""
+    """Add classes, the settings of scenes and objects, the menu entry, the handlers, the key and words."""
     for cls in CLASSES:
         bpy.utils.register_class(cls)
     bpy.types.Scene.haptic_terrain = bpy.props.PointerProperty(type=settings.HapticTerrainSettings)
+    bpy.types.Object.haptic_terrain = bpy.props.PointerProperty(type=terrain_properties.HapticTerrainObject)
     bpy.types.TOPBAR_MT_file_import.append(import_operator.draw_menu)  # type: ignore[arg-type]
     # Extensions write nowhere else.
     cache.folder = own_folder(OwnFolder.CACHE)
     saving.register()
     timer.register()
     keymap.register()
+    presets.register()
+    translations.register()
+    preferences.apply(bpy.context)
 
 
 def unregister() -> None:
     """Remove what ``register`` added."""
+    translations.unregister()
+    presets.unregister()
     keymap.unregister()
     timer.unregister()
     saving.unregister()
     bpy.types.TOPBAR_MT_file_import.remove(import_operator.draw_menu)  # type: ignore[arg-type]
+    del bpy.types.Object.haptic_terrain
     del bpy.types.Scene.haptic_terrain
     for cls in reversed(CLASSES):
         bpy.utils.unregister_class(cls)

@@ -1,7 +1,7 @@
 """An update over an older version: its native code stays loaded until Blender is started again.
 
-Python drops the add-on's own modules when it is updated, but no process lets go of a native module. New code on
-top of old native code would fail in odd ways, so nothing but a message is registered then.
+Python drops the add-on's own modules when it is updated, but no process lets go of a native module. New code
+on top of old native code would fail in odd ways, so nothing but a message is registered then.
 """
 
 from __future__ import annotations

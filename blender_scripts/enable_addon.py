@@ -1,4 +1,4 @@
-"""Make this checkout's add-on an installed extension, for tests and scripts; or a zip that was built of it."""
+"""Make this checkout's add-on, or a zip that was built of it, an installed extension; for tests and scripts."""
 
 from __future__ import annotations
 

@@ -49,7 +49,7 @@ class Wanted:
 
 
 def fetch(wanted: Wanted, path: Path, told: Told) -> None:
-    """Fetch a file, or the rest of one that was begun; nothing is named ``path`` before it is whole and checked.
+    """Fetch a file, or the rest of one; nothing is named ``path`` before it is whole and checked.
 
     What is there of it stays beside it as ``path.part``, so that another call can go on.
 
@@ -87,7 +87,12 @@ def check_address(address: str) -> None:
     """
     with suppress(ValueError):
         parts = urlsplit(address)
-        if parts.scheme in {"http", "https"} and parts.hostname and address.isprintable() and " " not in address:
+        if (
+            parts.scheme in {"http", "https"}
+            and parts.hostname
+            and address.isprintable()
+            and " " not in address
+        ):
             return
     raise DownloadError(f"{address[:120]!r} is no address: expected one that begins with https:// or http://")
 
@@ -116,7 +121,7 @@ def _receive(wanted: Wanted, part: Path, mark: Path, told: Told) -> None:
         written = begun if goes_on else 0
         _check_length(wanted, response, written)
         mark.write_text(_validator(response), encoding="utf-8")
-        # Unbuffered: what a call wrote that was given up is there before the next one looks how much there is.
+        # Unbuffered: what a call wrote that was given up is there before the next one looks.
         with part.open("ab" if goes_on else "wb", buffering=0) as file:
             _write(wanted, response, file, written, told)
 
@@ -180,7 +185,8 @@ def _mark(path: Path) -> Path:
 
 def _failed(wanted: Wanted, reason: str) -> DownloadError:
     return DownloadError(
-        f"{wanted.address} was not fetched: {reason}. Try again (what is there is kept), or change the address."
+        f"{wanted.address} was not fetched: {reason}. "
+        "Try again (what is there is kept), or change the address."
     )
 
 
@@ -212,6 +218,13 @@ class _Redirects(HTTPRedirectHandler):
 def _opener() -> OpenerDirector:
     """HTTP and HTTPS through the system's proxies: no files of this machine, no FTP."""
     opener = OpenerDirector()
-    for handler in (ProxyHandler, HTTPHandler, HTTPSHandler, _Redirects, HTTPErrorProcessor, HTTPDefaultErrorHandler):
+    for handler in (
+        ProxyHandler,
+        HTTPHandler,
+        HTTPSHandler,
+        _Redirects,
+        HTTPErrorProcessor,
+        HTTPDefaultErrorHandler,
+    ):
         opener.add_handler(handler())
     return opener

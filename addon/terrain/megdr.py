@@ -15,7 +15,7 @@ from .download import DownloadError, Wanted, discard, fetch
 from .work import Work
 
 ADDRESS = "https://pds-geosciences.wustl.edu/mgs/mgs-m-mola-5-megdr-l3-v1/mgsl_300x"
-"""Of the folder that has the folders of all resolutions: Smith and others, MGS-M-MOLA-5-MEGDR-L3-V1.0, 2003."""
+"""Of the folder that has a folder for each resolution: Smith and others, MGS-M-MOLA-5-MEGDR-L3-V1.0, 2003."""
 
 MOST_LABEL_BYTES = 1 << 16
 """A label has some 2 to 8 kB."""
@@ -67,11 +67,11 @@ PRODUCTS = (
 
 
 def fetch_megdr(product: Megdr, base: str, folder: Path, work: Work) -> Path:
-    """Fetch label and image, as far as they are not there, and look whether they belong together; gives the label.
+    """Fetch label and image, unless they are there, and look whether they belong together; gives the label.
 
     Raises:
         DownloadError: a file cannot be fetched, or is not what it should be.
-        CancelledError: the work was asked to end; what was fetched stays, and another call goes on from there.
+        CancelledError: the work was asked to end; what was fetched stays, and another call goes on.
     """
     label, image = product.label_in(folder), product.image_in(folder)
     if not label.is_file():
@@ -129,7 +129,9 @@ def _in_words(description: Sequence[object]) -> str:
 class MegdrJob:
     """``start``, then ``poll`` now and then until it is done, then ``finish``; or ``run`` and ``finish``."""
 
-    def __init__(self, product: Megdr, base: str, folder: Path, tell: Callable[[float], None] | None = None) -> None:
+    def __init__(
+        self, product: Megdr, base: str, folder: Path, tell: Callable[[float], None] | None = None
+    ) -> None:
         self._product, self._base, self._folder = product, base, folder
         self._work = Work(tell)
         self._label: Path | None = None

@@ -1,4 +1,4 @@
-"""Download MOLA: a public grid of Mars, for whoever has none; nothing is sent but the request for its files."""
+"""Download MOLA: a public grid of Mars, for whoever has none; only its files are asked for."""
 
 from __future__ import annotations
 
@@ -12,8 +12,11 @@ from ..terrain.megdr import ADDRESS, PRODUCTS, Megdr, MegdrJob
 from ..terrain.progress import Tell, progress
 from .job_operator import JobOperator
 from .operator_status import OperatorStatus
+from .preferences import preferences
 
-OFFLINE = "Blender is offline: allow online access in Preferences > System > Network, or get the files elsewhere"
+OFFLINE = (
+    "Blender is offline: allow online access in Preferences > System > Network, or get the files elsewhere"
+)
 
 
 def items_of_products() -> list[tuple[str, str, str]]:
@@ -67,6 +70,9 @@ class HAPTIC_TERRAIN_OT_download_mola(JobOperator, bpy.types.Operator):
         """Show what will be fetched, and from where; then fetch it."""
         if self.answered:
             return self.begin(context, self._new_job())
+        chosen = preferences(context)
+        if chosen is not None and not self.properties.is_property_set("address"):
+            self.address = chosen.mola_address
         self._asking = True
         context.window_manager.invoke_props_dialog(
             self, width=560, title=self.bl_label, confirm_text="Download"
@@ -106,7 +112,9 @@ class HAPTIC_TERRAIN_OT_download_mola(JobOperator, bpy.types.Operator):
         except (DownloadError, OSError) as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
-        self.report({"INFO"}, f"{label.name} and its samples are in {OwnFolder.MOLA}, in the extension's folder")
+        self.report(
+            {"INFO"}, f"{label.name} and its samples are in {OwnFolder.MOLA}, in the extension's folder"
+        )
         if bpy.app.background:
             return _imported(bpy.ops.haptic_terrain.import_grid(filepath=str(label)))
         bpy.ops.haptic_terrain.import_grid("INVOKE_DEFAULT", filepath=str(label), answered=True)
@@ -129,7 +137,9 @@ class HAPTIC_TERRAIN_OT_download_mola(JobOperator, bpy.types.Operator):
         return [
             product.address(self.address, ".lbl"),
             product.address(self.address, ".img"),
-            "Both are there already: nothing is fetched" if there else f"{in_bytes(product.image_bytes)} to fetch",
+            "Both are there already: nothing is fetched"
+            if there
+            else f"{in_bytes(product.image_bytes)} to fetch",
             "checked by size and checksum" if product.sha256 else "checked by size and label",
         ]
 

@@ -18,12 +18,14 @@ from .import_choices import ImportChoices, chosen_options, draw_choices
 from .import_description import described, is_unplaced
 from .job_operator import JobOperator
 from .operator_status import OperatorStatus
+from .preferences import preferences
 
 LABEL = "Elevation terrain"
 """Also of the operator: a drop that Blender takes for an image too gets a menu of operators."""
 
 TITLE = "Import Elevation Terrain"
 """Of the dialog, and of buttons."""
+
 
 class HAPTIC_TERRAIN_OT_import_grid(JobOperator, bpy.types.Operator, ImportHelper, ImportChoices):
     """Import elevation grids as terrains that can be touched"""
@@ -61,6 +63,9 @@ class HAPTIC_TERRAIN_OT_import_grid(JobOperator, bpy.types.Operator, ImportHelpe
         """Ask for files, or only for the options when some were dropped; then import."""
         if self.answered:
             return self.begin(context, ImportJob(chosen_paths(self), chosen_options(self)))
+        chosen = preferences(context)
+        if chosen is not None and not self.properties.is_property_set("vertex_budget"):
+            self.vertex_budget = chosen.vertex_budget
         self._asking = True
         if self.filepath or self.files:
             context.window_manager.invoke_props_dialog(self, width=400, title=TITLE, confirm_text="Import")

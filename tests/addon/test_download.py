@@ -114,7 +114,9 @@ def test_another_part_than_was_asked_for_is_refused(site: Site, folder: Path) ->
 
 
 @pytest.mark.parametrize("size", [129_598, 129_602, 10**12])
-def test_a_stated_length_that_is_not_the_grid_s_is_refused_at_once(site: Site, folder: Path, size: int) -> None:
+def test_a_stated_length_that_is_not_the_grid_s_is_refused_at_once(
+    site: Site, folder: Path, size: int
+) -> None:
     site.states = lambda length: size if length == 129_600 else length
     assert f"{size:,} bytes, expected 129,600" in refused(site, folder)
     assert not (folder / "megt90n000xb.img").exists()
@@ -162,7 +164,9 @@ def test_a_redirect_that_goes_round_ends(site: Site, folder: Path) -> None:
     assert "redirect" in refused(site, folder)
 
 
-@pytest.mark.parametrize("address", ["", "file:///tmp", "/tmp", "ftp://127.0.0.1", "https://", "http://a b/", "http://[x"])
+@pytest.mark.parametrize(
+    "address", ["", "file:///tmp", "/tmp", "ftp://127.0.0.1", "https://", "http://a b/", "http://[x"]
+)
 def test_only_web_addresses_are_asked(site: Site, folder: Path, address: str) -> None:
     site.address = address
     assert "no address" in refused(site, folder)

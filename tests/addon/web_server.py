@@ -38,7 +38,7 @@ def served(site: Site) -> Iterator[Site]:
     """Serve until the block ends."""
 
     class Handler(BaseHTTPRequestHandler):
-        def log_message(self, format: str, *arguments: object) -> None:
+        def log_message(self, *arguments: object) -> None:
             """Say nothing."""
 
         def do_GET(self) -> None:

@@ -15,7 +15,8 @@ ROOT = Path(__file__).resolve().parents[2]
 BEGIN = """
 import sys
 from pathlib import Path
-import addon_utils, bpy
+import bpy
+import addon_utils
 MODULE = "bl_ext.user_default.haptic_terrain"
 EXTENSIONS = Path(bpy.utils.user_resource("EXTENSIONS"))
 
@@ -24,28 +25,34 @@ def install(packed):
         filepath=str(packed), repo="user_default", enable_on_install=True, overwrite=True)
     assert done == {"FINISHED"}, done
 
+def is_list(handlers):
+    return isinstance(getattr(bpy.app.handlers, handlers), list)
+
+def appended(name):
+    drawn = getattr(getattr(getattr(bpy.types, name), "draw", None), "_draw_funcs", [])
+    return [str(one) for one in drawn[1:]]  # the first is Blender's own
+
+def registered():
+    types = bpy.types
+    bases = (types.Operator, types.Panel, types.PropertyGroup, types.Menu, types.AddonPreferences)
+    return {str(one) for base in bases for one in base.__subclasses__() if one.is_registered}
+
 def snapshot():
     '''Everything of Blender's that an extension may add to.'''
-    handlers = {name: [str(one) for one in getattr(bpy.app.handlers, name)]
-                for name in dir(bpy.app.handlers) if isinstance(getattr(bpy.app.handlers, name), list)}
-    menus = {name: [str(one) for one in getattr(getattr(bpy.types, name), "draw", None)._draw_funcs]
-             for name in dir(bpy.types) if hasattr(getattr(getattr(bpy.types, name), "draw", None), "_draw_funcs")}
-    # A menu that was added to once keeps its list, with Blender's own draw in it.
-    menus = {name: drawn for name, drawn in menus.items() if len(drawn) > 1}
+    kinds = ("Scene", "Object", "Mesh", "WindowManager", "Material", "Collection")
     keys = bpy.context.window_manager.keyconfigs.addon
+    keymaps = [] if keys is None else keys.keymaps
     return {
         "classes": sorted(dir(bpy.types)),
-        "subclasses": sorted({str(one) for base in (bpy.types.Operator, bpy.types.Panel, bpy.types.PropertyGroup,
-            bpy.types.Menu, bpy.types.AddonPreferences, bpy.types.FileHandler) for one in base.__subclasses__()
-            if getattr(one, "is_registered", False)}),
-        "operators": sorted(f"{group}.{name}" for group in dir(bpy.ops) for name in dir(getattr(bpy.ops, group))),
-        "handlers": handlers,
-        "menus": menus,
-        "properties": {kind: sorted(getattr(bpy.types, kind).bl_rna.properties.keys())
-                       for kind in ("Scene", "Object", "Mesh", "WindowManager", "Material", "Collection")},
-        "keys": [] if keys is None else sorted((keymap.name, item.idname) for keymap in keys.keymaps
-                                               for item in keymap.keymap_items),
-        "presets": list(bpy.utils.preset_paths("haptic_terrain")),
+        "registered": sorted(registered()),
+        "operators": sorted(f"{group}.{name}" for group in dir(bpy.ops)
+                            for name in dir(getattr(bpy.ops, group))),
+        "handlers": {name: [str(one) for one in getattr(bpy.app.handlers, name)]
+                     for name in dir(bpy.app.handlers) if is_list(name)},
+        "menus": {name: appended(name) for name in dir(bpy.types) if appended(name)},
+        "properties": {kind: sorted(getattr(bpy.types, kind).bl_rna.properties.keys()) for kind in kinds},
+        "keys": sorted((keymap.name, item.idname) for keymap in keymaps for item in keymap.keymap_items),
+        "presets": list(bpy.utils.preset_paths("haptic_terrain_touch")),
         "addons": sorted(bpy.context.preferences.addons.keys()),
         "path": sorted(sys.path),
     }
@@ -71,8 +78,13 @@ def run(tmp_path: Path) -> Run:
     """Run a script in a Blender of its own, after ``BEGIN``; gives what it prints."""
 
     def run_script(script: str, *arguments: Path) -> str:
-        kept = {name: value for name, value in os.environ.items() if not name.startswith(("BLENDER_", "PYTHON"))}
-        folders = {"BLENDER_USER_RESOURCES": str(tmp_path / "user"), "XDG_CACHE_HOME": str(tmp_path / "cache")}
+        kept = {
+            name: value for name, value in os.environ.items() if not name.startswith(("BLENDER_", "PYTHON"))
+        }
+        folders = {
+            "BLENDER_USER_RESOURCES": str(tmp_path / "user"),
+            "XDG_CACHE_HOME": str(tmp_path / "cache"),
+        }
         done = subprocess.run(
             [sys.executable, "-B", "-c", BEGIN + script, *map(str, arguments)],
             env=kept | folders,
