@@ -1,6 +1,6 @@
 """Usage: write_notices.py FOLDER CARGO_TOML TARGET: writes the licences of all that is bundled.
 
-They come into FOLDER/THIRD-PARTY.txt: of every Rust crate that is linked into the native module for TARGET and
+They come into FOLDER/THIRD-PARTY.txt: of every Rust crate that is linked into the module for TARGET, and
 of every wheel in FOLDER/wheels, their licence files as they stand; and of the C libraries inside the wheels,
 what ``.ci/licences`` says.
 """

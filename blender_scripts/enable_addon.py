@@ -1,4 +1,4 @@
-"""Make this checkout's add-on, or a zip that was built of it, an installed extension; for tests and scripts."""
+"""Make this checkout's add-on, or a zip that was built of it, an installed extension, for whoever runs it."""
 
 from __future__ import annotations
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from pathlib import Path
 from threading import Thread
+from typing import cast
 
 import bpy
 import numpy as np
@@ -211,7 +212,7 @@ def _shown_as(kept: KeptTerrain, before: KeptTerrain) -> KeptTerrain:
 
 def _swap_mesh(terrain: bpy.types.Object, prepared: Prepared) -> None:
     """A new mesh with the old one's materials and name, which other users of the old one do not get."""
-    old = terrain.data
+    old = cast("bpy.types.Mesh", terrain.data)
     mesh = preview_mesh(old.name, prepared.surface, prepared.kept.frame, prepared.slopes)
     for material in old.materials:
         mesh.materials.append(material)

@@ -6,6 +6,7 @@ Ours lie in ``presets/`` in the extension, the person's where Blender keeps all 
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import bpy
 from bl_operators.presets import AddPresetBase
@@ -26,7 +27,7 @@ class HAPTIC_TERRAIN_MT_touch_presets(bpy.types.Menu):
     bl_label = "Touch Presets"
     preset_subdir = TOUCH
     preset_operator = "script.execute_preset"
-    draw = bpy.types.Menu.draw_preset
+    draw = bpy.types.Menu.draw_preset  # type: ignore[assignment]  # the stubs of the two disagree
 
 
 class HAPTIC_TERRAIN_OT_touch_preset_add(AddPresetBase, bpy.types.Operator):  # type: ignore[misc]
@@ -40,7 +41,7 @@ class HAPTIC_TERRAIN_OT_touch_preset_add(AddPresetBase, bpy.types.Operator):  # 
     preset_subdir = TOUCH
 
 
-def draw_touch_presets(layout: bpy.types.UILayout) -> None:
+def draw_touch_presets(layout: Any) -> None:
     """The menu, with buttons to add and to remove."""
     row = layout.row(align=True)
     row.menu(HAPTIC_TERRAIN_MT_touch_presets.__name__, text=HAPTIC_TERRAIN_MT_touch_presets.bl_label)

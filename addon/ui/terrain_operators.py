@@ -132,7 +132,7 @@ class HAPTIC_TERRAIN_OT_rebuild(JobOperator, bpy.types.Operator, ImportChoices):
         return chosen_options(self)
 
 
-class HAPTIC_TERRAIN_OT_relink(bpy.types.Operator, ImportHelper):
+class HAPTIC_TERRAIN_OT_relink(bpy.types.Operator, ImportHelper):  # type: ignore[misc]  # their invoke
     """Say where the terrain's file is now, after it was moved or renamed"""
 
     bl_idname = "haptic_terrain.relink"

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import cast
+
 import bpy
 
 from ..terrain.kept import KeptError, is_terrain, recall_frame
@@ -9,7 +11,7 @@ from ..terrain.rebuild import exaggerate
 
 
 def _exaggeration(terrain: HapticTerrainObject) -> float:
-    thing = terrain.id_data
+    thing = cast("bpy.types.Object", terrain.id_data)
     try:
         return recall_frame(thing).exaggeration if is_terrain(thing) else 1.0
     except KeptError:
@@ -18,7 +20,7 @@ def _exaggeration(terrain: HapticTerrainObject) -> float:
 
 def _set_exaggeration(terrain: HapticTerrainObject, value: float) -> None:
     """Show it at once; a hand that is on the terrain feels it at once."""
-    thing = terrain.id_data
+    thing = cast("bpy.types.Object", terrain.id_data)
     if not is_terrain(thing) or thing.library is not None:
         return
     try:

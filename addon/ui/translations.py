@@ -1,6 +1,6 @@
 """The words of the interface in other languages, through Blender's own system.
 
-Blender looks up every label and tooltip of a class or a property by itself. ``messages`` gathers them, so that
+Blender looks up every label and tooltip of a class or a property itself. ``messages`` gathers them, so that
 a translator has the list, and a test sees to it that no translation is of words that are gone.
 """
 
@@ -54,8 +54,8 @@ def _messages(cls: type) -> Iterator[str]:
     if structure is None:
         return
     yield from (structure.name, structure.description)
-    for label in ("bl_label", "bl_description"):
-        yield getattr(cls, label, "")
+    # Of an operator with several base classes Blender knows the tooltip, and its class does not.
+    yield from (getattr(cls, "bl_label", ""), cls.__doc__ or "")
     for item in structure.properties:
         if item.identifier in _annotated(cls):
             yield from (item.name, item.description)

@@ -279,7 +279,8 @@ def small(monkeypatch: pytest.MonkeyPatch, site: Site) -> None:
 def test_the_operator_fetches_and_imports(site: Site) -> None:
     assert bpy.ops.haptic_terrain.download_mola(address=site.address) == {"FINISHED"}
     terrain = bpy.context.view_layer.objects.active
-    source = Path(terrain["haptic_terrain_grid"]["source"])
+    assert terrain is not None
+    source = module("terrain.kept").recall(terrain).grid.data_path
     own = Path(bpy.utils.extension_path_user(module("package").PACKAGE))
     assert source == own / "mola" / "megt90n000xb.img"
     for file in (source, source.with_suffix(".lbl")):

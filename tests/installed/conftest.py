@@ -28,14 +28,18 @@ def install(packed):
 def is_list(handlers):
     return isinstance(getattr(bpy.app.handlers, handlers), list)
 
+def named(thing):
+    return f"{thing.__module__}.{getattr(thing, '__qualname__', thing)}"
+
 def appended(name):
     drawn = getattr(getattr(getattr(bpy.types, name), "draw", None), "_draw_funcs", [])
-    return [str(one) for one in drawn[1:]]  # the first is Blender's own
+    return [named(one) for one in drawn[1:]]  # the first is Blender's own
 
 def registered():
     types = bpy.types
     bases = (types.Operator, types.Panel, types.PropertyGroup, types.Menu, types.AddonPreferences)
-    return {str(one) for base in bases for one in base.__subclasses__() if one.is_registered}
+    found = [one for base in bases for one in base.__subclasses__() if one.is_registered]
+    return sorted(named(one) for one in found if one.__module__.startswith(MODULE))
 
 def snapshot():
     '''Everything of Blender's that an extension may add to.'''
@@ -44,10 +48,10 @@ def snapshot():
     keymaps = [] if keys is None else keys.keymaps
     return {
         "classes": sorted(dir(bpy.types)),
-        "registered": sorted(registered()),
+        "registered": registered(),
         "operators": sorted(f"{group}.{name}" for group in dir(bpy.ops)
                             for name in dir(getattr(bpy.ops, group))),
-        "handlers": {name: [str(one) for one in getattr(bpy.app.handlers, name)]
+        "handlers": {name: [named(one) for one in getattr(bpy.app.handlers, name)]
                      for name in dir(bpy.app.handlers) if is_list(name)},
         "menus": {name: appended(name) for name in dir(bpy.types) if appended(name)},
         "properties": {kind: sorted(getattr(bpy.types, kind).bl_rna.properties.keys()) for kind in kinds},
@@ -58,7 +62,14 @@ def snapshot():
     }
 
 def differences(before, after):
-    return {name: (before[name], after[name]) for name in before if before[name] != after[name]}
+    told = {name: set(map(str, flat(before[name]))) ^ set(map(str, flat(after[name]))) for name in before}
+    return {name: sorted(changed) for name, changed in told.items() if changed}
+
+def flat(facts):
+    '''Lists, also those of a dictionary, with the key before each entry.'''
+    if isinstance(facts, dict):
+        return [(key, value) for key, values in facts.items() for value in values]
+    return facts
 """
 
 Run = Callable[..., str]
