@@ -138,6 +138,19 @@ def remember_places(blend: Path) -> None:
             continue  # another drive has no relative path; and what was changed is told when it is used
 
 
+def find_beside(terrain: bpy.types.Object, blend: Path) -> None:
+    """Look for the data file from the .blend file that a terrain was appended from, and note where it is."""
+    kept = terrain.get(KEY)
+    try:
+        if kept is None or Path(kept[SOURCE]).is_file():
+            return
+        moved = (blend.parent / kept[SOURCE_BESIDE]).resolve()
+        if moved.is_file():
+            kept[SOURCE] = str(moved)
+    except (KeyError, TypeError, ValueError, AttributeError):
+        return  # what was changed by hand is told when it is used
+
+
 def _recall(terrain: bpy.types.Object, kept: Mapping[str, Any]) -> KeptTerrain:
     decoding, stamp = kept.get("decoding"), kept.get("stamp")
     region, position = kept.get("region"), kept.get("position")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import shutil
 from collections.abc import Callable
+from contextlib import suppress
 from pathlib import Path
 
 import bpy
@@ -82,11 +83,12 @@ def test_a_terrain_of_another_file_finds_its_moved_grid(project: Path, tmp_path:
     new_file()
     elsewhere = tmp_path / "elsewhere"
     shutil.move(project, elsewhere)
-    bring(elsewhere / "scene.blend", link=True)
-    if not link:
-        bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "other.blend"))
-        thing = terrain()
-        thing.make_local()
+    if not link and not hasattr(bpy.app.handlers, "blend_import_post"):
+        pytest.skip("this Blender does not say what it appended: Relink helps")
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "other.blend"))
+    act = bpy.ops.wm.link if link else bpy.ops.wm.append
+    act(directory=f"{elsewhere / 'scene.blend'}/Object/", filename="Mars grid")
+    assert (terrain().library is not None) == link
     assert data_path() == elsewhere / "grids" / "grid.img"
 
 
@@ -96,10 +98,8 @@ def test_a_linked_terrain_is_changed_where_it_is_from(project: Path) -> None:
     before = linked.haptic_terrain.exaggeration
     with pytest.raises(RuntimeError, match="linked from another file"):
         bpy.ops.haptic_terrain.rebuild(vertex_budget=100)
-    try:
+    with suppress(AttributeError, RuntimeError):  # some versions of Blender refuse it themselves
         linked.haptic_terrain.exaggeration = 3.0
-    except (AttributeError, RuntimeError):
-        pass  # some versions of Blender refuse it themselves
     assert linked.haptic_terrain.exaggeration == before
 
 
@@ -109,21 +109,17 @@ def test_a_linked_terrain_is_changed_where_it_is_from(project: Path) -> None:
         lambda: bpy.ops.haptic_terrain.touch_start(),
         lambda: bpy.ops.haptic_terrain.rebuild(),
         lambda: bpy.ops.haptic_terrain.show_curvature(curved=True),
-        lambda: bpy.ops.haptic_terrain.mark(which="A"),
     ],
-    ids=["touch", "rebuild", "curvature", "mark"],
+    ids=["touch", "rebuild", "curvature"],
 )
 def test_a_missing_grid_is_told_once_by_who_needs_it(project: Path, act: Callable[[], object]) -> None:
     shutil.rmtree(project / "grids")
     bpy.ops.wm.open_mainfile(filepath=str(project / "scene.blend"))
     before = len(terrain().data.vertices)
-    try:
+    with pytest.raises(RuntimeError, match=r"grid\.") as error:
         act()
-    except RuntimeError as error:
-        assert "grid." in str(error)
-        assert "Traceback" not in str(error)
-    else:
-        assert act is not None
+    assert str(error.value).count("grid.") <= 2
+    assert "Traceback" not in str(error.value)
     assert len(terrain().data.vertices) == before
 
 
@@ -159,5 +155,5 @@ def test_nothing_is_touched_by_opening_or_rendering(project: Path, tmp_path: Pat
     assert (tmp_path / "frame.png").is_file()
     assert live.touch is None
     assert live.recording is None
-    assert not bpy.app.timers.is_registered(timer._run)
+    assert timer._run() is None, "Blender's timer ends with the touch"
     assert not live.rendering
