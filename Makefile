@@ -210,11 +210,12 @@ MATRIX_TESTS := tests/addon tests/installed
 .PHONY: test-matrix
 test-matrix: $(MATRIX:%=test-installed-%) ## Run the add-on's tests on the installed zip, in each Blender
 
-.PHONY: test-installed-%
 test-installed-%: cargo $(PACKAGE)/package.stamp $(BUILD)/matrix/bpy-%/packages.stamp
 	@echo "The installed zip in Blender $*"
 	@HAPTIC_TERRAIN_ZIP="$$(ls $(ROOT)/$(PACKAGE)/*.zip)" $(BUILD)/matrix/bpy-$*/bin/python -m pytest --quiet $(MATRIX_TESTS) $(ARGS)
 
+# Else make takes it for something between and removes it.
+.PRECIOUS: $(BUILD)/matrix/bpy-%/packages.stamp
 $(BUILD)/matrix/bpy-%/packages.stamp: pyproject.toml
 	@echo "Making $(@D)"
 	@"$$(.ci/find-python $(if $(filter 5.2%,$*),3.13,3.11))" -m venv $(@D)

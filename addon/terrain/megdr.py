@@ -4,15 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import partial
 from pathlib import Path
-from threading import Thread
 
-from proxygraph import CancelledError, Progress
+from proxygraph import Progress
 
 from ..formats import FormatError, read_grid
 from .download import DownloadError, Wanted, discard, fetch
-from .work import Work
+from .job import Job
+from .work import Tell, Work
 
 ADDRESS = "https://pds-geosciences.wustl.edu/mgs/mgs-m-mola-5-megdr-l3-v1/mgsl_300x"
 """Of the folder that has a folder for each resolution: Smith and others, MGS-M-MOLA-5-MEGDR-L3-V1.0, 2003."""
@@ -94,11 +93,7 @@ def fetch_megdr(product: Megdr, base: str, folder: Path, work: Work) -> Path:
 
 def _telling(progress: Progress, size: int) -> Callable[[int], None]:
     """Tell how much is there, and raise ``CancelledError`` when that is wanted."""
-    return partial(_tell, progress, size)
-
-
-def _tell(progress: Progress, size: int, done: int) -> None:
-    progress.step(min(done, size), size)
+    return lambda done: progress.step(min(done, size), size)
 
 
 def _is_whole(product: Megdr, image: Path) -> bool:
@@ -126,65 +121,13 @@ def _in_words(description: Sequence[object]) -> str:
     return f"{name} of {columns} x {rows} {sample}"
 
 
-class MegdrJob:
-    """``start``, then ``poll`` now and then until it is done, then ``finish``; or ``run`` and ``finish``."""
+class MegdrJob(Job[Path]):
+    """Fetches a grid; its result is the label. See ``fetch_megdr`` for what can go wrong."""
 
-    def __init__(
-        self, product: Megdr, base: str, folder: Path, tell: Callable[[float], None] | None = None
-    ) -> None:
+    def __init__(self, product: Megdr, base: str, folder: Path, tell: Tell | None = None) -> None:
+        super().__init__(f"MOLA, {product.pixels_per_degree} px/deg", tell)
         self._product, self._base, self._folder = product, base, folder
-        self._work = Work(tell)
-        self._label: Path | None = None
-        self._error: BaseException | None = None
-        self._thread: Thread | None = None
 
-    def start(self) -> None:
-        """Begin in a thread. It is a daemon: a silent server does not keep Blender from quitting."""
-        self._thread = Thread(target=self.run, name="elevation download", daemon=True)
-        self._thread.start()
-
-    def run(self) -> None:
-        """Fetch, here and now; what goes wrong is told by ``finish``."""
-        try:
-            self._label = fetch_megdr(self._product, self._base, self._folder, self._work)
-        except CancelledError:
-            return
-        except BaseException as error:  # in a thread nobody would see it
-            self._error = error
-
-    def poll(self) -> bool:
-        """Whether it has ended; a cancelled one is not waited for, since its server may be silent."""
-        return self.cancelled or self._thread is None or not self._thread.is_alive()
-
-    def cancel(self) -> None:
-        """End as soon as possible."""
-        self._work.cancel()
-
-    @property
-    def cancelled(self) -> bool:
-        """Whether it was asked to end."""
-        return self._work.cancelled
-
-    @property
-    def share(self) -> float:
-        """What is done, from 0 to 1."""
-        return self._work.share
-
-    @property
-    def step(self) -> str:
-        """What is being done, in words."""
-        return f"MOLA, {self._product.pixels_per_degree} px/deg: {self._work.step}"
-
-    def finish(self) -> Path:
-        """The label of what was fetched.
-
-        Raises:
-            CancelledError: it was cancelled.
-            DownloadError: naming the address, what was found and a way out.
-            OSError: the folder cannot be written.
-        """
-        if self._error is not None:
-            raise self._error
-        if self._label is None:
-            raise CancelledError("cancelled")
-        return self._label
+    def do(self, work: Work) -> Path:
+        """Fetch what is missing."""
+        return fetch_megdr(self._product, self._base, self._folder, work)

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import contextmanager
 
 import bpy
 
-Tell = Callable[[float], None]
-"""Takes the share that is done, 0 to 1."""
+from .work import Tell
 
 
 @contextmanager

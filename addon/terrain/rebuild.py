@@ -4,24 +4,24 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
-from threading import Thread
 from typing import cast
 
 import bpy
 import numpy as np
 import numpy.typing as npt
-from proxygraph import CancelledError, GridLayout
+from proxygraph import GridLayout
 
 from ..formats import FormatError
 from ..formats.partner_file import is_file
 from .bend import Bend
 from .frame import fitting_scale
+from .job import Job
 from .kept import KeptError, KeptTerrain, keep, keep_frame, recall
 from .mesh import ELEVATION, preview_mesh
 from .opened import OpenedGrids
 from .options import ImportOptions, SceneScale
 from .prepare import Prepared, prepare, read_header
-from .work import Work
+from .work import Tell, Work
 
 
 def options_of(kept: KeptTerrain) -> ImportOptions:
@@ -56,57 +56,20 @@ def header_of(kept: KeptTerrain) -> Path:
     )
 
 
-class RebuildJob:
-    """``start``, then ``poll`` now and then until it is done, then ``finish``; or ``run`` and ``finish``."""
+class RebuildJob(Job[Prepared]):
+    """Reads a terrain's file again; ``finish`` then shows it."""
 
-    def __init__(self, terrain: bpy.types.Object, options: ImportOptions) -> None:
+    def __init__(self, terrain: bpy.types.Object, options: ImportOptions, tell: Tell | None = None) -> None:
         """Raises KeptError or FormatError where the terrain or its file is not what it was."""
-        self._name = terrain.name
-        self._uid = terrain.session_uid
+        super().__init__(terrain.name, tell)
+        self._terrain = terrain.session_uid
         self._before = recall(terrain)
         self._path = header_of(self._before)
         self._options = options
-        self._work = Work()
-        self._prepared: Prepared | None = None
-        self._error: BaseException | None = None
-        self._thread: Thread | None = None
 
-    def start(self) -> None:
-        """Begin in a thread."""
-        self._thread = Thread(target=self.run, name="elevation rebuilding", daemon=True)
-        self._thread.start()
-
-    def run(self) -> None:
-        """Prepare, here and now; what goes wrong is told by ``finish``."""
-        try:
-            self._prepared = prepare(self._path, self._options, self._work)
-        except CancelledError:
-            return
-        except BaseException as error:  # in a thread nobody would see it
-            self._error = error
-
-    def poll(self) -> bool:
-        """Whether it has ended."""
-        return self._thread is None or not self._thread.is_alive()
-
-    def cancel(self) -> None:
-        """End as soon as possible."""
-        self._work.cancel()
-
-    @property
-    def cancelled(self) -> bool:
-        """Whether it was asked to end."""
-        return self._work.cancelled
-
-    @property
-    def share(self) -> float:
-        """What is done, from 0 to 1."""
-        return self._work.share
-
-    @property
-    def step(self) -> str:
-        """What is being done, in words."""
-        return f"{self._name}: {self._work.step}"
+    def do(self, work: Work) -> Prepared:
+        """Prepare the new preview."""
+        return prepare(self._path, self._options, work)
 
     def finish(self, opened: OpenedGrids) -> bpy.types.Object:
         """Give the object its new mesh.
@@ -116,19 +79,14 @@ class RebuildJob:
             FormatError: the file cannot be used; the object is as it was.
             KeptError: the object has gone meanwhile.
         """
-        if self._thread is not None:
-            self._thread.join()
-        if self._error is not None:
-            raise self._error
-        if self._prepared is None or self.cancelled:
-            raise CancelledError("cancelled")
-        terrain = next((thing for thing in bpy.data.objects if thing.session_uid == self._uid), None)
+        prepared = self.result()
+        terrain = next((thing for thing in bpy.data.objects if thing.session_uid == self._terrain), None)
         if terrain is None:
-            raise KeptError(f"{self._name} is gone: undo, or import the grid again.")
-        kept = _shown_as(self._prepared.kept, self._before)
-        _swap_mesh(terrain, replace(self._prepared, kept=kept))
+            raise KeptError("The terrain is gone: undo, or import the grid again.")
+        kept = _shown_as(prepared.kept, self._before)
+        _swap_mesh(terrain, replace(prepared, kept=kept))
         keep(terrain, kept)
-        opened.add(kept, self._prepared.samples)
+        opened.add(kept, prepared.samples)
         return terrain
 
 

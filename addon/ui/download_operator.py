@@ -9,7 +9,8 @@ from ..package import OwnFolder, own_folder
 from ..terrain.byte_size import in_bytes
 from ..terrain.download import DownloadError, check_address
 from ..terrain.megdr import ADDRESS, PRODUCTS, Megdr, MegdrJob
-from ..terrain.progress import Tell, progress
+from ..terrain.progress import progress
+from ..terrain.work import Tell
 from .job_operator import JobOperator
 from .operator_status import OperatorStatus
 from .preferences import preferences
@@ -105,7 +106,7 @@ class HAPTIC_TERRAIN_OT_download_mola(JobOperator, bpy.types.Operator):
     def end(self, context: bpy.types.Context, job: MegdrJob) -> OperatorStatus:
         """Import what was fetched, or tell why there is nothing."""
         try:
-            label = job.finish()
+            label = job.result()
         except CancelledError:
             self.report({"INFO"}, "Download cancelled: the next one goes on from where this one was")
             return {"CANCELLED"}

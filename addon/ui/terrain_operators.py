@@ -14,6 +14,7 @@ from ..formats import SUFFIXES, FormatError
 from ..terrain.chosen_region import ChosenRegion, LongitudeLatitudeBox
 from ..terrain.kept import KeptError, recall
 from ..terrain.options import ImportOptions
+from ..terrain.progress import progress
 from ..terrain.rebuild import RebuildJob, header_of, options_of, relink
 from ..touch.live import RENDERING, live
 from .chosen import poll_terrain, shown_terrain
@@ -89,11 +90,12 @@ class HAPTIC_TERRAIN_OT_rebuild(JobOperator, bpy.types.Operator, ImportChoices):
         if terrain is None:
             return {"CANCELLED"}
         try:
-            job = RebuildJob(terrain, self._options(terrain))
+            with progress(context) as tell:
+                job = RebuildJob(terrain, self._options(terrain), tell)
+                job.run()
         except (FormatError, KeptError) as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
-        job.run()
         return self.end(context, job)
 
     def end(self, context: bpy.types.Context, job: RebuildJob) -> OperatorStatus:

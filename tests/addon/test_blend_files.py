@@ -42,7 +42,7 @@ def bring(blend: Path, *, link: bool) -> bpy.types.Object:
     """Link or append the terrain into the open file, and put it into the scene."""
     with bpy.data.libraries.load(str(blend), link=link) as (_there, wanted):
         wanted.objects = ["Mars grid"]
-    found = wanted.objects[0]
+    found: bpy.types.Object = wanted.objects[0]
     bpy.context.collection.objects.link(found)
     bpy.context.view_layer.objects.active = found
     return found

@@ -48,7 +48,7 @@ def test_detail_is_changed_with_the_same_object_and_materials(terrain: bpy.types
     assert bpy.data.objects[name] == terrain
     assert 4 < len(mesh.vertices) <= 100
     assert list(mesh.materials) == [material]
-    assert tuple(terrain.location) == (1.0, 2.0, 3.0)
+    assert terrain.location[:] == (1.0, 2.0, 3.0)
     assert contents() == before, "the old mesh is gone"
     assert kept(terrain).vertex_budget == 100
     rebuild(vertex_budget=250_000)
@@ -83,6 +83,7 @@ def test_a_region_that_is_not_there_changes_nothing(terrain: bpy.types.Object) -
 
 def test_a_mesh_that_others_share_is_left_to_them(terrain: bpy.types.Object) -> None:
     other = terrain.copy()
+    assert isinstance(other, bpy.types.Object)
     bpy.context.collection.objects.link(other)
     rebuild(vertex_budget=100)
     assert len(other.data.vertices) == 2400
