@@ -9,6 +9,8 @@ import bpy
 
 from .work import Tell
 
+__all__ = ["Tell", "progress"]
+
 
 @contextmanager
 def progress(context: bpy.types.Context) -> Iterator[Tell]:
