@@ -16,7 +16,7 @@ from ..formats.partner_file import is_file
 from .bend import Bend
 from .frame import fitting_scale
 from .job import Job
-from .kept import KeptError, KeptTerrain, keep, keep_frame, recall
+from .kept import KeptError, KeptTerrain, is_terrain, keep, keep_frame, recall
 from .mesh import ELEVATION, preview_mesh
 from .opened import OpenedGrids
 from .options import ImportOptions, SceneScale
@@ -138,7 +138,13 @@ def exaggerate(terrain: bpy.types.Object, exaggeration: float) -> None:
             _move_out(positions, frame.bend, up, frame.exaggeration, new.exaggeration, frame.units_per_metre)
         mesh.attributes["position"].data.foreach_set("vector", positions.ravel())
         mesh.update()
-    keep_frame(terrain, new)
+    for other in _showing(terrain):
+        keep_frame(other, replace(recall(other).frame, exaggeration=exaggeration))
+
+
+def _showing(terrain: bpy.types.Object) -> list[bpy.types.Object]:
+    """The terrains that show the same mesh: linked duplicates have one between them."""
+    return [thing for thing in bpy.data.objects if thing.data == terrain.data and is_terrain(thing)]
 
 
 def _move_out(

@@ -100,6 +100,9 @@ class HAPTIC_TERRAIN_OT_rebuild(JobOperator, bpy.types.Operator, ImportChoices):
 
     def end(self, context: bpy.types.Context, job: RebuildJob) -> OperatorStatus:
         """Show the new preview, or tell why it is the old one still."""
+        if live.touch is not None:
+            self.report({"ERROR"}, "Touch was started meanwhile: stop it, and rebuild again")
+            return {"CANCELLED"}
         try:
             terrain = job.finish(live.opened)
         except CancelledError:

@@ -8,6 +8,7 @@ import time
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import bpy
@@ -15,6 +16,7 @@ import pytest
 from proxygraph import CancelledError
 
 from tests.addon.scene import contents, module
+from tests.addon.test_import_job import Window, run_until_done
 from tests.addon.web_server import Site, served
 from tests.formats.megdr_pair import MegdrPair, rough
 
@@ -295,6 +297,41 @@ def test_the_operator_tells_what_failed_and_adds_nothing(site: Site) -> None:
     with pytest.raises(RuntimeError, match="404"):
         bpy.ops.haptic_terrain.download_mola(address=site.address)
     assert contents() == before
+
+
+@pytest.mark.parametrize("cancelled", [False, True])
+def test_a_person_sees_how_far_it_is_and_can_cancel(
+    site: Site, folder: Path, monkeypatch: pytest.MonkeyPatch, cancelled: bool
+) -> None:
+    window, reports, imported = Window(), [], []
+    operators = module("ui.download_operator")
+    cls = operators.HAPTIC_TERRAIN_OT_download_mola
+    job = module("terrain.megdr").MegdrJob(product(site.files), site.address, folder)
+    operator = SimpleNamespace(_job=None, _timer=None, answered=True, _new_job=lambda: job)
+    operator.report = lambda kind, text: reports.append((kind, text))
+    for name in ("invoke", "begin", "modal", "_clear", "end"):
+        setattr(operator, name, getattr(cls, name).__get__(operator))
+
+    def import_grid(*_call: str, filepath: str, **_more: object) -> set[str]:
+        imported.append(filepath)
+        return {"FINISHED"}
+
+    fake = SimpleNamespace(
+        app=bpy.app, ops=SimpleNamespace(haptic_terrain=SimpleNamespace(import_grid=import_grid))
+    )
+    monkeypatch.setattr(operators, "bpy", fake)
+    site.gate = threading.Event()
+    assert operator.invoke(window.context, None) == {"RUNNING_MODAL"}
+    operator.modal(window.context, SimpleNamespace(type="TIMER", value="NOTHING"))
+    assert "Esc cancels" in str(window.status[-1])
+    if cancelled:
+        operator.modal(window.context, SimpleNamespace(type="ESC", value="PRESS"))
+    else:
+        site.gate.set()
+    assert run_until_done(operator, window.context) == ({"CANCELLED"} if cancelled else {"FINISHED"})
+    assert imported == ([] if cancelled else [str(folder / "megt90n000xb.lbl")])
+    assert ("goes on from where" in reports[0][1]) == cancelled
+    assert (window.timers, window.status[-1]) == (0, None)
 
 
 def test_nothing_is_fetched_where_blender_is_offline(site: Site) -> None:

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import shutil
+from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import bpy
@@ -12,6 +14,7 @@ import pytest
 
 from tests.addon.hands import sweep
 from tests.addon.scene import contents, import_grid, module, positions
+from tests.addon.test_import_job import Window, run_until_done
 from tests.addon.test_panels import Notes
 from tests.formats.megdr_pair import MegdrPair, rough
 
@@ -140,6 +143,28 @@ def test_the_hand_feels_heights_as_they_are_shown(terrain: bpy.types.Object) -> 
     module("touch.tick").tick()
     touch.session.step(1)
     assert touch.session.window.exaggeration == pytest.approx(5.0)
+
+
+def test_linked_duplicates_are_exaggerated_together(terrain: bpy.types.Object) -> None:
+    other = terrain.copy()
+    bpy.context.collection.objects.link(other)
+    terrain.haptic_terrain.exaggeration = 5.0
+    assert kept(other).frame.exaggeration == pytest.approx(5.0)
+
+
+def test_a_hand_that_came_meanwhile_is_not_disturbed(terrain: bpy.types.Object) -> None:
+    window, reports = Window(), []
+    cls = module("ui.terrain_operators").HAPTIC_TERRAIN_OT_rebuild
+    operator = SimpleNamespace(_timer=None, report=lambda _kind, text: reports.append(text))
+    for name in ("modal", "_clear", "end"):
+        setattr(operator, name, getattr(cls, name).__get__(operator))
+    options = replace(module("terrain.rebuild").options_of(kept(terrain)), vertex_budget=100)
+    operator._job = module("terrain.rebuild").RebuildJob(terrain, options)
+    operator._job.run()
+    bpy.ops.haptic_terrain.touch_start()
+    assert run_until_done(operator, window.context) == {"CANCELLED"}
+    assert "stop it" in reports[0]
+    assert len(mesh_of(terrain).vertices) == 2400
 
 
 def test_other_objects_have_no_exaggeration_to_change() -> None:
