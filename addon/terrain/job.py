@@ -3,19 +3,19 @@
 from __future__ import annotations
 
 from threading import Thread
-from typing import Generic, TypeVar
 
 from proxygraph import CancelledError
 
 from .work import Tell, Work
 
-Result = TypeVar("Result")
 
+class Job:
+    """``start``, then ``poll`` now and then until it is done, then ``check``; or ``run`` and ``check``.
 
-class Job(Generic[Result]):
-    """``start``, then ``poll`` now and then until it is done, then ``result``; or ``run`` and ``result``.
+    What is to be done is ``do``, which must not touch Blender, and keeps what comes of it.
 
-    What is to be done is ``do``, which must not touch Blender.
+    This is no generic class: ``typing`` keeps what those are made of for ever, and with it the module bpy; if
+    the add-on is taken away, Blender 4.2 then crashes at its end.
 
     Args:
         title: of the job, in words.
@@ -25,11 +25,10 @@ class Job(Generic[Result]):
     def __init__(self, title: str, tell: Tell | None = None) -> None:
         self._title = title
         self._work = Work(tell)
-        self._result: Result | None = None
         self._error: BaseException | None = None
         self._thread: Thread | None = None
 
-    def do(self, work: Work) -> Result:
+    def do(self, work: Work) -> None:
         """Do it, step by step."""
         raise NotImplementedError
 
@@ -39,9 +38,9 @@ class Job(Generic[Result]):
         self._thread.start()
 
     def run(self) -> None:
-        """Do it here and now; what goes wrong is told by ``result``."""
+        """Do it here and now; what goes wrong is told by ``check``."""
         try:
-            self._result = self.do(self._work)
+            self.do(self._work)
         except CancelledError:
             return
         except BaseException as error:  # in a thread nobody would see it
@@ -70,8 +69,8 @@ class Job(Generic[Result]):
         """What is being done, in words."""
         return f"{self._title}: {self._work.step}"
 
-    def result(self) -> Result:
-        """What came of it.
+    def check(self) -> None:
+        """Whether it came to its end.
 
         Raises:
             CancelledError: it was cancelled.
@@ -81,6 +80,3 @@ class Job(Generic[Result]):
             raise CancelledError("cancelled")
         if self._error is not None:
             raise self._error
-        if self._result is None:
-            raise RuntimeError(f"{self._title} has not ended")
-        return self._result

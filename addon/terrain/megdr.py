@@ -121,13 +121,15 @@ def _in_words(description: Sequence[object]) -> str:
     return f"{name} of {columns} x {rows} {sample}"
 
 
-class MegdrJob(Job[Path]):
-    """Fetches a grid; its result is the label. See ``fetch_megdr`` for what can go wrong."""
+class MegdrJob(Job):
+    """Fetches a grid. See ``fetch_megdr`` for what ``check`` may raise."""
 
     def __init__(self, product: Megdr, base: str, folder: Path, tell: Tell | None = None) -> None:
         super().__init__(f"MOLA, {product.pixels_per_degree} px/deg", tell)
         self._product, self._base, self._folder = product, base, folder
+        self.label = product.label_in(folder)
+        """Where it is, once ``check`` says nothing."""
 
-    def do(self, work: Work) -> Path:
+    def do(self, work: Work) -> None:
         """Fetch what is missing."""
-        return fetch_megdr(self._product, self._base, self._folder, work)
+        fetch_megdr(self._product, self._base, self._folder, work)

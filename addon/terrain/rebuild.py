@@ -56,7 +56,7 @@ def header_of(kept: KeptTerrain) -> Path:
     )
 
 
-class RebuildJob(Job[Prepared]):
+class RebuildJob(Job):
     """Reads a terrain's file again; ``finish`` then shows it."""
 
     def __init__(self, terrain: bpy.types.Object, options: ImportOptions, tell: Tell | None = None) -> None:
@@ -66,10 +66,11 @@ class RebuildJob(Job[Prepared]):
         self._before = recall(terrain)
         self._path = header_of(self._before)
         self._options = options
+        self._prepared: Prepared | None = None
 
-    def do(self, work: Work) -> Prepared:
+    def do(self, work: Work) -> None:
         """Prepare the new preview."""
-        return prepare(self._path, self._options, work)
+        self._prepared = prepare(self._path, self._options, work)
 
     def finish(self, opened: OpenedGrids) -> bpy.types.Object:
         """Give the object its new mesh.
@@ -79,9 +80,10 @@ class RebuildJob(Job[Prepared]):
             FormatError: the file cannot be used; the object is as it was.
             KeptError: the object has gone meanwhile.
         """
-        prepared = self.result()
+        self.check()
+        prepared = self._prepared
         terrain = next((thing for thing in bpy.data.objects if thing.session_uid == self._terrain), None)
-        if terrain is None:
+        if terrain is None or prepared is None:
             raise KeptError("The terrain is gone: undo, or import the grid again.")
         kept = _shown_as(prepared.kept, self._before)
         _swap_mesh(terrain, replace(prepared, kept=kept))

@@ -106,16 +106,15 @@ class HAPTIC_TERRAIN_OT_download_mola(JobOperator, bpy.types.Operator):
     def end(self, context: bpy.types.Context, job: MegdrJob) -> OperatorStatus:
         """Import what was fetched, or tell why there is nothing."""
         try:
-            label = job.result()
+            job.check()
         except CancelledError:
             self.report({"INFO"}, "Download cancelled: the next one goes on from where this one was")
             return {"CANCELLED"}
         except (DownloadError, OSError) as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
-        self.report(
-            {"INFO"}, f"{label.name} and its samples are in {OwnFolder.MOLA}, in the extension's folder"
-        )
+        label = job.label
+        self.report({"INFO"}, f"{label.name} and its samples are in the extension's own folder")
         if bpy.app.background:
             return _imported(bpy.ops.haptic_terrain.import_grid(filepath=str(label)))
         bpy.ops.haptic_terrain.import_grid("INVOKE_DEFAULT", filepath=str(label), answered=True)
