@@ -147,6 +147,7 @@ def test_the_hand_feels_heights_as_they_are_shown(terrain: bpy.types.Object) -> 
 
 def test_linked_duplicates_are_exaggerated_together(terrain: bpy.types.Object) -> None:
     other = terrain.copy()
+    assert isinstance(other, bpy.types.Object)
     bpy.context.collection.objects.link(other)
     terrain.haptic_terrain.exaggeration = 5.0
     assert kept(other).frame.exaggeration == pytest.approx(5.0)
