@@ -218,9 +218,33 @@ bench-interface: cargo $(NATIVE) $(SAMPLE) ## Measure the interface in Blender: 
 .PHONY: package
 package: cargo $(PACKAGE)/package.stamp ## Build the extension's zip with its wheels
 
-$(PACKAGE)/package.stamp: $(PACKAGES) $(NATIVE_SOURCES) $(ADDON_SOURCES) .ci/package .ci/complete_manifest.py | cargo
+$(PACKAGE)/package.stamp: $(PACKAGES) $(NATIVE_SOURCES) $(ADDON_SOURCES) .ci/package .ci/complete_manifest.py \
+		.ci/write_notices.py $(wildcard .ci/licences/*) | cargo
 	@$(BIN)/python -m pip install --quiet --group package
 	@.ci/package "$(BIN)" "$(PACKAGE)"
+	@touch $@
+
+# A bpy of its own, without anything that the zip should bring. Each release demands one Python.
+MATRIX := 4.2.23 4.5.15 5.0.1 5.2.3
+# Not what only reads the sources, whatever Blender there is.
+MATRIX_TESTS := tests/addon tests/installed \
+	--deselect tests/addon/test_extension.py::test_own_modules_are_imported_relatively \
+	--deselect tests/addon/test_extension.py::test_formats_know_no_blender
+
+.PHONY: test-matrix
+test-matrix: $(MATRIX:%=test-installed-%) ## Run the add-on's tests on the installed zip, in each Blender
+
+test-installed-%: cargo $(PACKAGE)/package.stamp $(BUILD)/matrix/bpy-%/packages.stamp
+	@echo "The installed zip in Blender $*"
+	@HAPTIC_TERRAIN_ZIP="$$(ls $(ROOT)/$(PACKAGE)/*.zip)" $(BUILD)/matrix/bpy-$*/bin/python -m pytest --quiet $(MATRIX_TESTS) $(ARGS)
+
+# Else make takes it for something between and removes it.
+.PRECIOUS: $(BUILD)/matrix/bpy-%/packages.stamp
+$(BUILD)/matrix/bpy-%/packages.stamp: pyproject.toml
+	@echo "Making $(@D)"
+	@"$$(.ci/find-python $(if $(filter 5.2%,$*),3.13,3.11))" -m venv $(@D)
+	@$(@D)/bin/python -m pip install --quiet --disable-pip-version-check pip==26.3
+	@$(@D)/bin/python -m pip install --quiet --group installed bpy==$*
 	@touch $@
 
 .PHONY: clean

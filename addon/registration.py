@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import bpy
 
 from .formats.cache import cache
 from .overlay import handlers as overlay
+from .package import OwnFolder, own_folder
 from .record.playing import stop_playing
 from .terrain import saving
 from .touch import timer
 from .touch.live import live
 from .ui import (
     bake_operators,
+    download_operator,
     import_operator,
     keymap,
     mouse_keys,
@@ -21,22 +21,28 @@ from .ui import (
     overview_gizmo,
     panel,
     place_operators,
+    preference_operators,
     preferences,
+    presets,
     profile_operators,
     record_operators,
     settings,
     stylus_operators,
     take_operators,
+    terrain_operators,
+    terrain_properties,
     touch_operators,
+    translations,
 )
-from .ui.panels import bake, colours, georeference, profile, take
+from .ui.panels import bake, colours, georeference, profile, take, terrain_data
 from .ui.panels import overlay as overlay_panel
 
 CLASSES: tuple[type, ...] = (
     settings.HapticTerrainSettings,
-    preferences.HapticTerrainPreferences,
+    terrain_properties.HapticTerrainObject,
     import_operator.HAPTIC_TERRAIN_OT_import_grid,
     import_operator.HAPTIC_TERRAIN_FH_grid,
+    download_operator.HAPTIC_TERRAIN_OT_download_mola,
     touch_operators.HAPTIC_TERRAIN_OT_touch_start,
     touch_operators.HAPTIC_TERRAIN_OT_touch_update,
     touch_operators.HAPTIC_TERRAIN_OT_touch_stop,
@@ -60,6 +66,13 @@ CLASSES: tuple[type, ...] = (
     profile_operators.HAPTIC_TERRAIN_OT_mark,
     profile_operators.HAPTIC_TERRAIN_OT_add_profile,
     profile_operators.HAPTIC_TERRAIN_OT_export_profile,
+    terrain_operators.HAPTIC_TERRAIN_OT_rebuild,
+    terrain_operators.HAPTIC_TERRAIN_OT_relink,
+    presets.HAPTIC_TERRAIN_MT_touch_presets,
+    presets.HAPTIC_TERRAIN_OT_touch_preset_add,
+    preference_operators.HAPTIC_TERRAIN_OT_copy_diagnostics,
+    preference_operators.HAPTIC_TERRAIN_OT_clear_folder,
+    preferences.HapticTerrainPreferences,
     panel.HAPTIC_TERRAIN_PT_terrain,
     georeference.HAPTIC_TERRAIN_PT_georeference,
     colours.HAPTIC_TERRAIN_PT_colours,
@@ -74,29 +87,36 @@ CLASSES: tuple[type, ...] = (
     overview_gizmo.HAPTIC_TERRAIN_OT_overview_go,
     overview_gizmo.HAPTIC_TERRAIN_GT_overview,
     overview_gizmo.HAPTIC_TERRAIN_GGT_overview,
+    terrain_data.HAPTIC_TERRAIN_PT_data,
 )
 
 
 def register() -> None:
-    """Add classes, the scene's settings, the menu entry, the handlers and the key."""
+    """Add classes, the settings of scenes and objects, the menu entry, the handlers, the key and words."""
     for cls in CLASSES:
         bpy.utils.register_class(cls)
     bpy.types.Scene.haptic_terrain = bpy.props.PointerProperty(type=settings.HapticTerrainSettings)
+    bpy.types.Object.haptic_terrain = bpy.props.PointerProperty(type=terrain_properties.HapticTerrainObject)
     bpy.types.TOPBAR_MT_file_import.append(import_operator.draw_menu)  # type: ignore[arg-type]
     bpy.types.TOPBAR_MT_file_import.append(take_operators.draw_import)  # type: ignore[arg-type]
     bpy.types.TOPBAR_MT_file_export.append(take_operators.draw_export)  # type: ignore[arg-type]
     # Extensions write nowhere else.
-    cache.folder = Path(bpy.utils.extension_path_user(__package__, path="cache"))
-    live.spool_folder = Path(bpy.utils.extension_path_user(__package__, path="takes"))
+    cache.folder = own_folder(OwnFolder.CACHE)
+    live.spool_folder = own_folder(OwnFolder.TAKES)
     saving.register()
     timer.register()
     overlay.register()
     keymap.register()
     mouse_keys.register()
+    presets.register()
+    translations.register()
+    preferences.apply(bpy.context)
 
 
 def unregister() -> None:
     """Remove what ``register`` added."""
+    translations.unregister()
+    presets.unregister()
     mouse_touch.unregister()
     mouse_keys.unregister()
     keymap.unregister()
@@ -109,6 +129,7 @@ def unregister() -> None:
     bpy.types.TOPBAR_MT_file_export.remove(take_operators.draw_export)  # type: ignore[arg-type]
     bpy.types.TOPBAR_MT_file_import.remove(take_operators.draw_import)  # type: ignore[arg-type]
     bpy.types.TOPBAR_MT_file_import.remove(import_operator.draw_menu)  # type: ignore[arg-type]
+    del bpy.types.Object.haptic_terrain
     del bpy.types.Scene.haptic_terrain
     for cls in reversed(CLASSES):
         bpy.utils.unregister_class(cls)

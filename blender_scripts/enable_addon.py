@@ -1,4 +1,4 @@
-"""Make this checkout's add-on an installed extension, for tests and scripts."""
+"""Make this checkout's add-on, or a zip that was built of it, an installed extension, for whoever runs it."""
 
 from __future__ import annotations
 
@@ -10,6 +10,9 @@ from types import ModuleType
 MODULE = "bl_ext.user_default.haptic_terrain"
 
 ADDON = Path(__file__).resolve().parents[1] / "addon"
+
+ZIP = "HAPTIC_TERRAIN_ZIP"
+"""The environment variable that names an extension's zip to be installed instead of this checkout."""
 
 
 def use_resources(folder: Path) -> None:
@@ -24,7 +27,7 @@ def use_resources(folder: Path) -> None:
 
 
 def enable(resources: Path | None = None) -> ModuleType:
-    """Enable the checkout's ``addon/`` as the extension ``MODULE``, and give its package.
+    """Enable the checkout's ``addon/``, or what ``ZIP`` names, as the extension ``MODULE``; give its package.
 
     Args:
         resources: see ``use_resources``; where it is left out, ``BLENDER_USER_RESOURCES`` must say.
@@ -41,7 +44,11 @@ def enable(resources: Path | None = None) -> ModuleType:
     extensions = Path(bpy.utils.user_resource("EXTENSIONS", path="user_default", create=True))
     if not extensions.is_relative_to(Path(folder).resolve()):
         raise RuntimeError("bpy was imported before BLENDER_USER_RESOURCES was set.")
-    _offer(extensions / MODULE.rpartition(".")[2])
+    place, packed = extensions / MODULE.rpartition(".")[2], os.environ.get(ZIP)
+    if packed:
+        _install(Path(packed), place)
+    else:
+        _offer(place)
 
     import addon_utils  # bpy brings it
 
@@ -62,3 +69,19 @@ def _offer(place: Path) -> None:
         place.symlink_to(ADDON, target_is_directory=True)
     except OSError:
         shutil.copytree(ADDON, place, ignore=shutil.ignore_patterns("__pycache__"))
+
+
+def _install(packed: Path, place: Path) -> None:
+    """Install a zip as a person does who drops it on Blender; once, as long as it does not change."""
+    import bpy
+
+    stamp = place.with_name(f".{place.name}.installed")
+    told = f"{packed.resolve()} {packed.stat().st_mtime_ns}"
+    if place.is_dir() and stamp.is_file() and stamp.read_text(encoding="utf-8") == told:
+        return
+    if place.is_symlink():
+        place.unlink()
+    bpy.ops.extensions.package_install_files(
+        filepath=str(packed.resolve()), repo="user_default", enable_on_install=False, overwrite=True
+    )
+    stamp.write_text(told, encoding="utf-8")

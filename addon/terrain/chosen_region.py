@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping
+from dataclasses import asdict, dataclass
 
 from ..formats import ElevationGrid, FormatError, Region
 
@@ -56,6 +56,22 @@ class RowsAndColumns:
 
 
 ChosenRegion = LongitudeLatitudeBox | RowsAndColumns
+
+
+def region_properties(region: ChosenRegion) -> dict[str, float]:
+    """Write a choice out as doubles, which hold every number of samples that a file can have."""
+    return {name: float(value) for name, value in asdict(region).items()}
+
+
+def region_from(kept: Mapping[str, float]) -> ChosenRegion:
+    """Read a choice.
+
+    Raises:
+        KeyError, TypeError, ValueError: it was changed by hand.
+    """
+    if "west" in kept:
+        return LongitudeLatitudeBox(**{name: float(value) for name, value in kept.items()})
+    return RowsAndColumns(**{name: int(value) for name, value in kept.items()})
 
 
 def cut_grid(grid: ElevationGrid, chosen: ChosenRegion | None) -> ElevationGrid:

@@ -16,9 +16,8 @@ from .add_terrain import add_terrain
 from .opened import OpenedGrids
 from .options import ImportOptions
 from .prepare import Prepared, prepare
-from .progress import Tell
 from .undone import undone_on_failure
-from .work import Work
+from .work import Tell, Work
 
 GAP = 0.1
 """Between terrains that are imported together, as a share of their width."""

@@ -22,6 +22,7 @@ from ..formats.georeference_properties import finite, georeference_from, georefe
 from ..formats.layout_properties import layout_from, layout_properties
 from ..formats.source_stamp import SourceStamp
 from .bend import Bend
+from .chosen_region import ChosenRegion, region_from, region_properties
 from .frame import TerrainFrame
 
 KEY = "haptic_terrain_grid"
@@ -52,6 +53,10 @@ class KeptTerrain:
     """Whether voids were filled, for eye and hand."""
     stamp: SourceStamp | None = None
     """Of the data file when it was imported."""
+    region: ChosenRegion | None = None
+    """The part of the file that was chosen, as it was chosen; ``None`` is all of it."""
+    position: tuple[float, float] | None = None
+    """Latitude and longitude of an SRTM square that was placed by hand."""
 
 
 def keep(terrain: bpy.types.Object, kept: KeptTerrain) -> None:
@@ -73,6 +78,8 @@ def keep(terrain: bpy.types.Object, kept: KeptTerrain) -> None:
         "maximum": kept.maximum,
         "filled": kept.filled,
         **({} if kept.stamp is None else {"stamp": json.dumps(asdict(kept.stamp))}),
+        **({} if kept.region is None else {"region": region_properties(kept.region)}),
+        **({} if kept.position is None else {"position": list(kept.position)}),
     }
 
 
@@ -131,8 +138,22 @@ def remember_places(blend: Path) -> None:
             continue  # another drive has no relative path; and what was changed is told when it is used
 
 
+def find_beside(terrain: bpy.types.Object, blend: Path) -> None:
+    """Look for the data file from the .blend file that a terrain was appended from, and note where it is."""
+    kept = terrain.get(KEY)
+    try:
+        if kept is None or Path(kept[SOURCE]).is_file():
+            return
+        moved = (blend.parent / kept[SOURCE_BESIDE]).resolve()
+        if moved.is_file():
+            kept[SOURCE] = str(moved)
+    except (KeyError, TypeError, ValueError, AttributeError):
+        return  # what was changed by hand is told when it is used
+
+
 def _recall(terrain: bpy.types.Object, kept: Mapping[str, Any]) -> KeptTerrain:
     decoding, stamp = kept.get("decoding"), kept.get("stamp")
+    region, position = kept.get("region"), kept.get("position")
     grid = ElevationGrid(
         path=Path(kept["path"]),
         data_path=_data_path(terrain, kept),
@@ -152,6 +173,8 @@ def _recall(terrain: bpy.types.Object, kept: Mapping[str, Any]) -> KeptTerrain:
         finite(kept["maximum"]),
         filled=bool(kept.get("filled", False)),
         stamp=None if stamp is None else _stamp(json.loads(stamp)),
+        region=None if region is None else region_from(region.to_dict()),
+        position=None if position is None else (finite(position[0]), finite(position[1])),
     )
 
 

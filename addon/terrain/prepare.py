@@ -82,6 +82,8 @@ def prepare(path: Path, options: ImportOptions, work: Work) -> Prepared:
         extent.maximum,
         filled=options.fill_voids,
         stamp=stamp,
+        region=options.region,
+        position=options.position,
     )
     steepness = slopes(samples, surface)
     refuse_damaged(grid, raw)

@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Generator, Iterator
+from collections.abc import Generator, Iterator
 from contextlib import contextmanager
 from typing import TypeVar
 
 import bpy
 
-Result = TypeVar("Result")
+from .work import Tell
 
-Tell = Callable[[float], None]
-"""Takes the share that is done, 0 to 1."""
+__all__ = ["Tell", "finished", "progress"]
+
+Result = TypeVar("Result")
 
 
 @contextmanager

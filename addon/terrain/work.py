@@ -7,6 +7,9 @@ from threading import Lock
 
 from proxygraph import CancelledError, Progress
 
+Tell = Callable[[float], None]
+"""Takes the share that is done, 0 to 1."""
+
 
 class Work:
     """Steps one after the other, each with its share of the whole.
@@ -15,7 +18,7 @@ class Work:
         tell: is called with the share that is done whenever a step begins, in the thread that works.
     """
 
-    def __init__(self, tell: Callable[[float], None] | None = None) -> None:
+    def __init__(self, tell: Tell | None = None) -> None:
         self._tell = tell
         self._lock = Lock()
         self._step = ""

@@ -16,7 +16,9 @@ from ..terrain.view import frame_selected, show_materials
 from ..touch.live import live
 from .import_choices import ImportChoices, chosen_options, draw_choices
 from .import_description import described, is_unplaced
+from .job_operator import JobOperator
 from .operator_status import OperatorStatus
+from .preferences import preferences
 
 LABEL = "Elevation terrain"
 """Also of the operator: a drop that Blender takes for an image too gets a menu of operators."""
@@ -24,16 +26,13 @@ LABEL = "Elevation terrain"
 TITLE = "Import Elevation Terrain"
 """Of the dialog, and of buttons."""
 
-POLL_SECONDS = 0.1
-"""Between two looks at an import that runs."""
 
-
-class HAPTIC_TERRAIN_OT_import_grid(bpy.types.Operator, ImportHelper, ImportChoices):
+class HAPTIC_TERRAIN_OT_import_grid(JobOperator, bpy.types.Operator, ImportHelper, ImportChoices):
     """Import elevation grids as terrains that can be touched"""
 
     bl_idname = "haptic_terrain.import_grid"
     bl_label = LABEL
-    bl_options = {"REGISTER", "UNDO"}  # noqa: RUF012
+    bl_options = {"REGISTER", "UNDO", "PRESET"}  # noqa: RUF012
 
     # Kept from one call to the next, they would be taken for dropped files.
     filepath: bpy.props.StringProperty(
@@ -57,15 +56,16 @@ class HAPTIC_TERRAIN_OT_import_grid(bpy.types.Operator, ImportHelper, ImportChoi
 
     _asking = False
     """Whether a dialog or the file browser is open, whose answer will be ``execute``."""
-    _job: ImportJob | None = None
-    _timer: bpy.types.Timer | None = None
 
     def invoke(  # type: ignore[override]  # the two base classes do not agree
         self, context: bpy.types.Context, event: bpy.types.Event
     ) -> OperatorStatus:
         """Ask for files, or only for the options when some were dropped; then import."""
         if self.answered:
-            return self._begin(context)
+            return self.begin(context, ImportJob(chosen_paths(self), chosen_options(self)))
+        chosen = preferences(context)
+        if chosen is not None and not self.properties.is_property_set("vertex_budget"):
+            self.vertex_budget = chosen.vertex_budget
         self._asking = True
         if self.filepath or self.files:
             context.window_manager.invoke_props_dialog(self, width=400, title=TITLE, confirm_text="Import")
@@ -97,50 +97,9 @@ class HAPTIC_TERRAIN_OT_import_grid(bpy.types.Operator, ImportHelper, ImportChoi
         job = ImportJob(chosen_paths(self), chosen_options(self))
         with progress(context) as tell:
             job.run(tell)
-        return self._end(context, job)
+        return self.end(context, job)
 
-    def modal(self, context: bpy.types.Context, event: bpy.types.Event) -> OperatorStatus:
-        """Look how far the import is; Esc cancels it, all else goes on as ever."""
-        job = self._job
-        if job is None:
-            return {"CANCELLED"}
-        if event.type == "ESC" and event.value == "PRESS":
-            job.cancel()
-            return {"RUNNING_MODAL"}
-        if event.type != "TIMER":
-            return {"PASS_THROUGH"}
-        if not job.poll():
-            _show(context, job)
-            return {"PASS_THROUGH"}
-        self._clear(context)
-        return self._end(context, job)
-
-    def cancel(self, context: bpy.types.Context) -> None:
-        """Blender takes the import away: another file is loaded, or the window is closed."""
-        if self._job is not None:
-            self._job.cancel()
-            self._clear(context)
-
-    def _begin(self, context: bpy.types.Context) -> OperatorStatus:
-        self._job = ImportJob(chosen_paths(self), chosen_options(self))
-        manager = context.window_manager
-        self._timer = manager.event_timer_add(POLL_SECONDS, window=context.window)
-        manager.progress_begin(0.0, 1.0)
-        manager.modal_handler_add(self)
-        self._job.start()
-        return {"RUNNING_MODAL"}
-
-    def _clear(self, context: bpy.types.Context) -> None:
-        """Take the timer and the display back."""
-        manager = context.window_manager
-        if self._timer is not None:
-            manager.event_timer_remove(self._timer)
-        manager.progress_end()
-        if context.workspace is not None:
-            context.workspace.status_text_set(None)
-        self._job = self._timer = None
-
-    def _end(self, context: bpy.types.Context, job: ImportJob) -> OperatorStatus:
+    def end(self, context: bpy.types.Context, job: ImportJob) -> OperatorStatus:
         """Put the terrains into the scene, and tell what came of it."""
         if job.cancelled:
             self.report({"INFO"}, "Import cancelled: nothing was added")
@@ -196,13 +155,6 @@ def _frame(context: bpy.types.Context, imported: Imported) -> None:
         if context.view_layer.objects.get(terrain.name) is not None:
             terrain.select_set(True)
     frame_selected(context, sum(max(terrain.dimensions[:]) for terrain in shown))
-
-
-def _show(context: bpy.types.Context, job: ImportJob) -> None:
-    context.window_manager.progress_update(job.share)
-    if context.workspace is not None:
-        ending = "ending ..." if job.cancelled else "Esc cancels"
-        context.workspace.status_text_set(f"{job.step}: {job.share:.0%} ({ending})")
 
 
 def _summary(terrain: bpy.types.Object) -> str:

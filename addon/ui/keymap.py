@@ -7,6 +7,8 @@ taken. It can be changed in *Preferences > Keymap*.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import bpy
 
 from .stylus_operators import HAPTIC_TERRAIN_OT_press, HAPTIC_TERRAIN_OT_release
@@ -25,6 +27,17 @@ def register() -> None:
         (keymap, keymap.keymap_items.new(operator.bl_idname, "E", "PRESS", repeat=False))
         for operator in (HAPTIC_TERRAIN_OT_press, HAPTIC_TERRAIN_OT_release)
     )
+
+
+def of_person(
+    configuration: bpy.types.KeyConfig,
+) -> Iterator[tuple[bpy.types.KeyMap, bpy.types.KeyMapItem]]:
+    """The same keys as the person has them, who may have changed them."""
+    own = {item.idname for _keymap, item in _items}
+    for name in dict.fromkeys(keymap.name for keymap, _item in _items):
+        keymap = configuration.keymaps.get(name)
+        if keymap is not None:
+            yield from ((keymap, item) for item in keymap.keymap_items if item.idname in own)
 
 
 def unregister() -> None:

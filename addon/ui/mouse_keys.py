@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import bpy
+import rna_keymap_ui
 
 from .operator_status import OperatorStatus
 
@@ -114,6 +115,24 @@ def keymap_items(context: bpy.types.Context) -> list[bpy.types.KeyMapItem]:
 def labels(known: Sequence[Key], *actions: str) -> str:
     """The keys of some actions in words."""
     return ", ".join(key.label for action in actions for key in known if key.action == action)
+
+
+def draw_keys(layout: bpy.types.UILayout, context: bpy.types.Context) -> None:
+    """Let a person change the keys, each under what it does."""
+    box = layout.box()
+    box.label(text="Keys of Touch with Mouse", icon="MOUSE_MOVE")
+    configuration = context.window_manager.keyconfigs.user
+    items = keymap_items(context)
+    if configuration is None or not items:
+        box.label(text="The keymap has none: restore it in Preferences > Keymap > 3D View.")
+        return
+    named = {name: label for name, label, _description in ACTIONS}
+    keymap = configuration.keymaps[KEYMAP]
+    for item in items:
+        column = box.column()
+        column.label(text=named[item.properties.action])
+        column.context_pointer_set("keymap", keymap)  # what the buttons of an item work on
+        rna_keymap_ui.draw_kmi([], configuration, keymap, item, column, 0)
 
 
 def register() -> None:

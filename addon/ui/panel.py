@@ -13,8 +13,10 @@ from ..touch.place_words import place_lines
 from ..touch.placement import Placement
 from ..touch.state_words import HELD, MODES
 from .chosen import shown_terrain
+from .download_operator import HAPTIC_TERRAIN_OT_download_mola
 from .import_operator import TITLE, HAPTIC_TERRAIN_OT_import_grid
 from .mouse_touch import HAPTIC_TERRAIN_OT_mouse_touch
+from .presets import draw_touch_presets
 from .record_operators import (
     HAPTIC_TERRAIN_OT_record_start,
     HAPTIC_TERRAIN_OT_record_stop,
@@ -22,6 +24,8 @@ from .record_operators import (
 )
 from .sidebar import TAB, draw_lines, draw_message, draw_text
 from .stylus_buttons import draw_stylus
+from .terrain_operators import HAPTIC_TERRAIN_OT_relink
+from .terrain_words import missing
 from .touch_operators import HAPTIC_TERRAIN_OT_touch_start, HAPTIC_TERRAIN_OT_touch_stop
 
 
@@ -38,6 +42,7 @@ class HAPTIC_TERRAIN_PT_terrain(bpy.types.Panel):
         terrain = shown_terrain(context)
         if terrain is None:
             self.layout.operator(HAPTIC_TERRAIN_OT_import_grid.bl_idname, text=TITLE, icon="IMPORT")
+            self.layout.operator(HAPTIC_TERRAIN_OT_download_mola.bl_idname, icon="WORLD")
             return
         try:
             kept = recall(terrain)
@@ -50,6 +55,9 @@ class HAPTIC_TERRAIN_PT_terrain(bpy.types.Panel):
         column.label(text=f"{kept.grid.layout.columns:,} x {kept.grid.layout.rows:,} samples")
         column.label(text=f"{len(terrain.data.vertices):,} vertices shown")
         column.label(text=f"{kept.minimum:,.0f} to {kept.maximum:,.0f} m, heights x{exaggeration:g}")
+        if not kept.grid.data_path.is_file():
+            draw_message(self.layout, missing(kept))
+            self.layout.operator(HAPTIC_TERRAIN_OT_relink.bl_idname, icon="FILEBROWSER")
         self.layout.operator(HAPTIC_TERRAIN_OT_import_grid.bl_idname, icon="IMPORT", text="Import Another")
 
 
@@ -69,6 +77,7 @@ class HAPTIC_TERRAIN_PT_touch(bpy.types.Panel):
         if live.message:
             draw_message(layout, live.message)
         if live.touch is None:
+            draw_touch_presets(layout)
             layout.prop(context.scene.haptic_terrain, "device")
             layout.prop(context.scene.haptic_terrain, "window_width", text="Width in km")
             layout.prop(context.scene.haptic_terrain, "max_force", text="Max Force in N")

@@ -1,15 +1,21 @@
-"""Blender as a module, with its configuration under ``build/``, and a fresh session for each test."""
+"""Blender as a module, with its configuration under ``build/``, and a fresh session for each test.
+
+The add-on is this checkout's; or, where ``HAPTIC_TERRAIN_ZIP`` names the extension's zip, what that installs.
+"""
 
 from __future__ import annotations
 
+import os
 import sys
 from collections.abc import Iterator
+from importlib.metadata import version
 from pathlib import Path
 
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
-RESOURCES = ROOT / "build" / "test-resources" / f"{sys.version_info.major}.{sys.version_info.minor}"
+INSTALLED = bool(os.environ.get("HAPTIC_TERRAIN_ZIP"))
+RESOURCES = ROOT / "build" / "test-resources" / f"{version('bpy')}{'-installed' if INSTALLED else ''}"
 
 for folder in (ROOT, ROOT / "blender_scripts"):
     if str(folder) not in sys.path:
@@ -22,6 +28,9 @@ use_resources(RESOURCES)
 
 import bpy  # noqa: E402
 from make_sample_grid import make_sample  # noqa: E402
+
+if INSTALLED:
+    enable()  # the native module, which tests import, comes out of the zip too
 
 from tests.addon.scene import module  # noqa: E402
 

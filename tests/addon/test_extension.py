@@ -73,3 +73,25 @@ def test_touch_also_ends_when_python_does(monkeypatch: pytest.MonkeyPatch) -> No
     assert module("touch.timer")._quit in registered
     addon_utils.disable(MODULE)
     assert timer._quit not in registered
+
+
+def test_over_native_code_of_another_version_only_a_message_is_registered(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    import addon_utils
+    import proxygraph
+    from enable_addon import MODULE, enable
+
+    def registered() -> list[str]:
+        return [name for name in dir(bpy.types) if name.startswith("HAPTIC")]
+
+    addon_utils.disable(MODULE)
+    with monkeypatch.context() as patch:
+        patch.setattr(proxygraph, "__version__", "0.0.1")
+        enable()
+        assert registered() == ["HAPTIC_TERRAIN_PT_restart"]
+        assert "version 0.0.1 is still loaded: restart Blender" in capsys.readouterr().out
+        addon_utils.disable(MODULE)
+    assert registered() == []
+    enable()
+    assert "HAPTIC_TERRAIN_OT_import_grid" in registered()

@@ -184,7 +184,7 @@ def operator_for(label: Path) -> Any:
         _timer=None,
     )
     operator.report = lambda kind, text: operator.reports.append((kind, text))
-    for name in ("invoke", "modal", "cancel", "_begin", "_clear", "_end"):
+    for name in ("invoke", "modal", "cancel", "begin", "_clear", "end"):
         setattr(operator, name, getattr(cls, name).__get__(operator))
     return operator
 

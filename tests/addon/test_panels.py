@@ -24,6 +24,7 @@ class Notes:
         self.operators: list[str] = []
         self.properties: list[str] = []
         self.buttons: list[SimpleNamespace] = []
+        self.menus: list[str] = []
 
     def label(self, *, text: str, icon: str = "NONE") -> None:
         """Note a text."""
@@ -37,6 +38,11 @@ class Notes:
         button = SimpleNamespace(idname=name, pressed=depress)
         self.buttons.append(button)
         return button
+
+    def menu(self, name: str, *, text: str = "") -> None:
+        """Note a menu, which must exist."""
+        assert hasattr(bpy.types, name)
+        self.menus.append(name)
 
     def row(self, *, align: bool = False) -> Notes:
         """Go on with the same notes."""
@@ -82,9 +88,10 @@ def dialog_of(notes: Notes, *paths: Path, **choices: Any) -> SimpleNamespace:
 
 
 def test_without_terrain_the_panel_offers_to_import() -> None:
-    assert drawn("HAPTIC_TERRAIN_PT_terrain").operators == ["haptic_terrain.import_grid"]
+    offered = drawn("HAPTIC_TERRAIN_PT_terrain").operators
+    assert offered == ["haptic_terrain.import_grid", "haptic_terrain.download_mola"]
     starts = ["haptic_terrain.touch_start", "haptic_terrain.mouse_touch"]
-    assert drawn("HAPTIC_TERRAIN_PT_touch").operators == starts
+    assert drawn("HAPTIC_TERRAIN_PT_touch").operators[-2:] == starts
 
 
 def test_the_panel_describes_the_terrain(label: Path) -> None:

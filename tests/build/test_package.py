@@ -31,3 +31,9 @@ def test_wheels_and_platform_are_listed_at_the_top_level(manifest: str, tmp_path
     ]
     assert completed.pop("platforms") == ["linux-x64"]
     assert completed == tomllib.loads(MANIFEST), "nothing else changed"
+
+
+def test_add_on_and_native_module_have_one_version() -> None:
+    """They are compared when the add-on is enabled: see ``restart``."""
+    cargo = tomllib.loads((ROOT / "native" / "Cargo.toml").read_text(encoding="utf-8"))
+    assert tomllib.loads(MANIFEST)["version"] == cargo["workspace"]["package"]["version"]

@@ -1,13 +1,11 @@
-"""The add-on's own preferences: the keys of Touch with Mouse."""
+"""The keys of Touch with Mouse on the preferences' page."""
 
 from __future__ import annotations
 
-from types import SimpleNamespace
 from typing import Any
 
 import bpy
 import pytest
-from enable_addon import MODULE
 
 from tests.addon.scene import module
 
@@ -34,7 +32,7 @@ class Layout:
 
 def test_every_key_is_shown_by_what_it_does_and_can_be_changed(monkeypatch: pytest.MonkeyPatch) -> None:
     bpy.context.window_manager.keyconfigs.update()
-    preferences, keys = module("ui.preferences"), module("ui.mouse_keys")
+    keys = module("ui.mouse_keys")
     changeable: list[str] = []
 
     def note(_maps: Any, _configuration: Any, keymap: Any, item: Any, _layout: Any, _level: int) -> None:
@@ -42,9 +40,9 @@ def test_every_key_is_shown_by_what_it_does_and_can_be_changed(monkeypatch: pyte
         assert keymap.name == "3D View"
         changeable.append(item.properties.action)
 
-    monkeypatch.setattr(preferences.rna_keymap_ui, "draw_kmi", note)
+    monkeypatch.setattr(keys.rna_keymap_ui, "draw_kmi", note)
     layout = Layout()
-    preferences.HapticTerrainPreferences.draw(SimpleNamespace(layout=layout), bpy.context)
+    keys.draw_keys(layout, bpy.context)
     assert sorted(changeable) == sorted(action for action, _event, _rest in keys.DEFAULTS)
     named = {name: label for name, label, _description in keys.ACTIONS}
     assert layout.labels[1:] == [named[action] for action in changeable]
@@ -52,14 +50,8 @@ def test_every_key_is_shown_by_what_it_does_and_can_be_changed(monkeypatch: pyte
 
 
 def test_keys_that_were_all_removed_are_told_how_to_come_back(monkeypatch: pytest.MonkeyPatch) -> None:
-    preferences = module("ui.preferences")
-    monkeypatch.setattr(preferences, "keymap_items", lambda _context: [])
+    keys = module("ui.mouse_keys")
+    monkeypatch.setattr(keys, "keymap_items", lambda _context: [])
     layout = Layout()
-    preferences.HapticTerrainPreferences.draw(SimpleNamespace(layout=layout), bpy.context)
+    keys.draw_keys(layout, bpy.context)
     assert "restore it" in layout.labels[-1]
-
-
-def test_blender_knows_them_as_the_extensions() -> None:
-    assert isinstance(
-        bpy.context.preferences.addons[MODULE].preferences, module("ui.preferences").HapticTerrainPreferences
-    )

@@ -1,0 +1,1 @@
+"""What is plugged in, for people; the servo's own devices are native code."""
