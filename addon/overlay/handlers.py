@@ -32,7 +32,7 @@ class Handlers:
         if live.touch is None:
             return
         try:
-            self.overlay = Overlay.of(bpy.context, live.touch)
+            self.overlay = Overlay.of(live.touch)
         except Exception:
             self._fail()  # what is felt does not depend on what is drawn over the view
             return

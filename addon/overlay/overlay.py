@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 import bpy
 
 from ..touch.live import Touch
-from .keys import grab_key
+from .keys import grab_key, mouse_grab_key
 from .legend import draw_legend, legend_lines
 from .overview import Overview, placed_map
 from .painting import Painting
@@ -47,17 +47,17 @@ class Overlay:
 
     touch: Touch
     overview: Overview
-    key: str
-    """That grabs, in words."""
     block: ReadoutBlock = field(default_factory=ReadoutBlock)
     symbols: Symbols = field(default_factory=Symbols)
     """Of the legend."""
     writing: Writing = field(default_factory=Writing)
+    keys: dict[bool, str] = field(default_factory=dict)
+    """That grabs, in words, by whether the mouse is the hand."""
 
     @staticmethod
-    def of(context: bpy.types.Context, touch: Touch) -> Overlay:
+    def of(touch: Touch) -> Overlay:
         """Begin what takes time; nothing is drawn yet."""
-        return Overlay(touch, Overview(Painting(touch)), grab_key(context))
+        return Overlay(touch, Overview(Painting(touch)))
 
     def draw_flat(self, view: View, wanted: Wanted) -> None:
         """Draw what lies flat on a region."""
@@ -73,8 +73,14 @@ class Overlay:
             plate = self.block.draw(self.touch, readout, shown, view, self.writing, taken)
             taken += [plate] if plate is not None else []
         if wanted.legend:
-            lines = legend_lines(self.key, has_modes=self.touch.has_modes)
+            lines = legend_lines(self._grab_key(), has_modes=self.touch.has_modes)
             draw_legend(lines, shown, view, self.symbols, self.writing, taken)
+
+    def _grab_key(self) -> str:
+        is_mouse = self.touch.mouse is not None
+        if is_mouse not in self.keys:
+            self.keys[is_mouse] = (mouse_grab_key if is_mouse else grab_key)(bpy.context)
+        return self.keys[is_mouse]
 
     def draw_in_scene(self, view: View, wanted: Wanted) -> None:
         """Draw what has a place in the scene."""

@@ -42,7 +42,7 @@ HEAD = 0.5
 GHOST = 0.3
 """Radius of the ring that stands for the hand, in sizes of the cursor."""
 
-LEAST_APART = 0.1
+LEAST_APART = 0.07
 """Sizes of the cursor between hand and proxy; nearer, the cursor is the hand."""
 
 PASSES: tuple[tuple[Literal["GREATER", "LESS_EQUAL"], float], ...] = (

@@ -11,6 +11,7 @@ from ..record.bake import SAMPLES_PER_FRAME, Baked, bake_of, baked, write_baked
 from ..record.follow_ground import Followed, followed, release, write_followed
 from ..record.standing import Follow
 from ..terrain.progress import Tell
+from ..touch.live import RENDERING, live
 from .goal_choices import GoalChoices, chosen_frames, chosen_goal, poll_goal, terrain_under
 from .in_turns import InTurns
 from .operator_status import OperatorStatus
@@ -153,6 +154,17 @@ class HAPTIC_TERRAIN_OT_leave_ground(bpy.types.Operator, GoalChoices):
     bl_idname = "haptic_terrain.leave_ground"
     bl_label = "Leave the Ground"
     bl_options = {"REGISTER", "UNDO"}  # noqa: RUF012
+
+    @classmethod
+    def poll(cls, context: bpy.types.Context) -> bool:
+        """Only where something may follow the ground."""
+        if live.rendering:
+            cls.poll_message_set(RENDERING)
+            return False
+        if context.scene is None or not context.scene.objects:
+            cls.poll_message_set("There is no object in the scene")
+            return False
+        return True
 
     def execute(self, context: bpy.types.Context) -> OperatorStatus:
         """Remove the constraints, and the Empty with the curves."""

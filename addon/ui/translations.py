@@ -66,4 +66,5 @@ def _messages(cls: type) -> Iterator[str]:
 
 def _annotated(cls: type) -> set[str]:
     """Names of its own properties, also those that come from a base class that is no class of Blender's."""
-    return {name for base in cls.__mro__ for name in get_annotations(base)}
+    named = {name for base in cls.__mro__ for name in get_annotations(base)}
+    return {name for name in named if not name.startswith("bl_")}  # those are the class's own

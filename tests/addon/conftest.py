@@ -29,8 +29,7 @@ use_resources(RESOURCES)
 import bpy  # noqa: E402
 from make_sample_grid import make_sample  # noqa: E402
 
-if INSTALLED:
-    enable()  # the native module, which tests import, comes out of the zip too
+enable()  # tests are made of what it registers, and an installed zip has the native module that they import
 
 from tests.addon.scene import module  # noqa: E402
 

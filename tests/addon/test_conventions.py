@@ -12,7 +12,7 @@ import pytest
 
 from tests.addon.scene import module
 
-WITHOUT_A_CONDITION = {"import_grid", "copy_diagnostics", "touch_preset_add"}
+WITHOUT_A_CONDITION = {"import_grid", "copy_diagnostics", "recover_take", "touch_preset_add"}
 """Operators that work whatever is open."""
 
 

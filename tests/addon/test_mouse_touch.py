@@ -564,6 +564,7 @@ def test_undo_leaves_the_hand_to_the_mouse(mouse: Mouse) -> None:
     bpy.context.preferences.edit.use_global_undo = True
     bpy.ops.ed.undo_push(message="imported")
     begun = mouse.begin()
+    bpy.ops.ed.undo_push(message="begun")
     bpy.ops.mesh.primitive_cube_add()
     bpy.ops.ed.undo_push(message="something else")
     step(mouse=mouse)
