@@ -191,7 +191,7 @@ def test_the_ghost_is_where_the_hand_is_and_a_line_leads_there(touch: Any) -> No
     stage = Stage(at=touch.shown.place, distance=3.0, tilt=1.2)
     pixels = stage.draw(overlay(), wanted("ghost"))
     hand = touch.shown.place + touch.shown.hand
-    assert brightest(around(pixels, stage.pixel(hand), radius=20)) > 180
+    assert brightest(around(pixels, stage.pixel(hand), radius=30)) > 180
     halfway = touch.shown.place + 0.4 * touch.shown.hand
     assert brightest(around(pixels, stage.pixel(halfway))) > 180
 

@@ -20,6 +20,13 @@ def label(tmp_path: Path) -> Path:
     return MegdrPair(rough(40, 60)).write(tmp_path)
 
 
+@pytest.fixture(autouse=True)
+def no_keys(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Leave the keys out, which Blender draws itself: their own tests are elsewhere."""
+    monkeypatch.setattr(module("ui.preferences"), "_draw_keys", lambda _layout, _context: None)
+    monkeypatch.setattr(module("ui.mouse_keys"), "draw_keys", lambda _layout, _context: None)
+
+
 @pytest.fixture
 def own(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """Let the extension's own folders be the test's."""

@@ -169,12 +169,16 @@ def test_stepping_lets_other_threads_run() -> None:
 
 
 def test_stepping_is_ended_by_control_c() -> None:
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell's background jobs ignore it
     session = touch(flat(), pressing())
     timer = threading.Timer(0.2, signal.raise_signal, [signal.SIGINT])
     timer.start()
     asked = 2**62
-    with pytest.raises(KeyboardInterrupt):
-        session.step(asked)
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            session.step(asked)
+    finally:
+        signal.signal(signal.SIGINT, before)
     timer.join()
     assert 0 < session.state().tick < asked
 
