@@ -15,6 +15,9 @@ AROUND = np.array([(side, ahead) for ahead in (-1.0, 0.0, 1.0) for side in (-1.0
 MIDDLE = 4
 """Its number in ``AROUND``."""
 
+OPPOSITE = 1e-9
+"""From the cosine of half a turn, below which no way around is the smallest."""
+
 STANDS = 1e-3
 """Share of the fastest motion below which something stands: the direction of what is left is rounding."""
 
@@ -37,7 +40,8 @@ def tilts(up: Numbers, normal: Numbers) -> Numbers:
     x, y, z = np.cross(up, normal).T
     none = np.zeros(len(up))
     across = np.stack((none, -z, y, z, none, -x, -y, x, none), axis=1).reshape(-1, 3, 3)
-    return np.asarray(np.eye(3) + across + across @ across / (1.0 + dot(up, normal))[:, None, None])
+    share = 1.0 / np.maximum(1.0 + dot(up, normal), OPPOSITE)
+    return np.asarray(np.eye(3) + across + across @ across * share[:, None, None])
 
 
 def turned(forward: Numbers, normal: Numbers) -> Numbers:

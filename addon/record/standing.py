@@ -62,7 +62,9 @@ class Standing:
 def stood(way: Way, follow: Follow) -> Standing:
     """Put an object on the ground in each frame."""
     at, up = _uprights(way)
-    own = np.array([sample.matrix.linear for sample in way.moving])
+    # What is upright over the flat map is upright on the globe, too.
+    flat_up = np.tile(unit(np.array([way.stand.matrix.column(2)])), (len(up), 1))
+    own = tilts(flat_up, up) @ np.array([sample.matrix.linear for sample in way.moving])
     forward = unit(level(own[:, :, 1], up))
     if follow.heading == "PATH":
         forward = headings(at, up, forward)

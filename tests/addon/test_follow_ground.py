@@ -12,7 +12,7 @@ from mathutils import Matrix, Vector
 
 from tests.addon.scene import contents, import_grid, module
 from tests.addon.test_bake import moving
-from tests.formats.megdr_pair import MegdrPair, rough
+from tests.formats.megdr_pair import MegdrPair, planet, rough
 
 PLACES = ((1, (-3.0, -1.0, 9.0)), (20, (0.5, 1.0, -9.0)), (40, (3.0, -1.5, 0.0)))
 
@@ -162,6 +162,26 @@ def test_beside_the_map_an_object_stays_as_it_is(terrain: bpy.types.Object) -> N
     follow()
     assert seen(goal, 40).translation[:] == pytest.approx(own.translation[:], abs=1e-5)
     assert seen(goal, 1).translation.z < 2.0
+
+
+def test_on_a_curved_planet_up_is_away_from_its_middle(tmp_path: Path) -> None:
+    terrain = import_grid(planet().write(tmp_path))
+    assert bpy.ops.haptic_terrain.show_curvature(curved=True) == {"FINISHED"}
+    bpy.context.scene.frame_end = 12
+    kept = module("terrain.kept").recall(terrain)
+    frame, grid = kept.frame, kept.grid.open()
+    radius = frame.bend.radius * frame.units_per_metre
+    goal = moving(places=((1, (0.3 * radius, 0.0, 0.2)), (12, (0.6 * radius, 0.2 * radius, -0.1))))
+    own = [frame.to_terrain(*seen(goal, number).translation[:]) for number in range(1, 13)]
+    follow(ground="REAL", offset=0.1 * radius, oriented=False, heading="PATH")
+    for number, (east, north, _up) in enumerate(own, start=1):
+        place = seen(goal, number)
+        ground = grid.elevation_at(frame.on_map(east), north)
+        assert ground is not None
+        foot = Vector(frame.to_object(east, north, ground))
+        assert (place.translation - foot).length == pytest.approx(0.1 * radius, rel=1e-4)
+        middle = Vector((0.0, 0.0, -radius))
+        assert (place.to_3x3() @ Vector((0.0, 0.0, 1.0))).angle(foot - middle) < 1e-3
 
 
 def test_a_render_shows_the_object_on_the_ground(terrain: bpy.types.Object, tmp_path: Path) -> None:
