@@ -22,6 +22,9 @@ LENGTH = 0.13
 
 SHOWN_FRAME = 120
 
+FIRST_FRAME = 50
+"""From which on the tracks are in the picture; the colours are for what was felt since."""
+
 ACROSS = 0.82
 """Blender units, that the picture shows at the rover."""
 
@@ -66,9 +69,9 @@ def stage(parts: Parts, grid: Path, vertices: int, exaggeration: float, say: Say
 
     way = places(rover, scene)
     scene.frame_set(SHOWN_FRAME)
-    seconds = (SHOWN_FRAME - 1) / bake.frame_rate(scene)
-    strongest = max(_strongest(result.data, seconds) for result, _take in takes)
-    tracks = _tracks(parts, takes, strongest, seconds)
+    begin, end = ((frame - 1) / bake.frame_rate(scene) for frame in (FIRST_FRAME, SHOWN_FRAME))
+    strongest = max(_strongest(result.data, begin, end) for result, _take in takes)
+    tracks = _tracks(parts, takes, strongest, end)
     title = parts("terrain.kept").recall(terrain).grid.title
     frame = Frame(
         centre=way[SHOWN_FRAME - 1] + Vector((-0.13, 0.1, 0.04)),
@@ -85,9 +88,10 @@ def stage(parts: Parts, grid: Path, vertices: int, exaggeration: float, say: Say
     return Staged(scene, [take for _result, take in takes], strongest)
 
 
-def _strongest(data: Any, seconds: float) -> float:
-    """Newtons that were felt at most up to a moment."""
-    return float(data.force[data.columns["time"] <= seconds].max())
+def _strongest(data: Any, begin: float, end: float) -> float:
+    """Newtons that were felt at most between two moments, seconds."""
+    time = data.columns["time"]
+    return float(data.force[(begin <= time) & (time <= end)].max())
 
 
 def _tracks(parts: Parts, takes: list[tuple[Any, Any]], strongest: float, seconds: float) -> list[Any]:
