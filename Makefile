@@ -177,7 +177,7 @@ format: $(PACKAGES) | cargo ## Format all code in place
 	@$(BIN)/ruff format --quiet $(PYTHON_CODE)
 
 .PHONY: bench
-bench: bench-contact bench-servo bench-formats ## Run every bench: tables, pictures and figures in build/bench
+bench: bench-contact bench-servo bench-formats bench-interface bench-recording ## Run every bench: tables, pictures and figures in build/bench
 
 # The same release profile as the wheel's, and as little of the processor.
 CONTACT_BENCH := cargo run --quiet --release --manifest-path native/Cargo.toml --package contact_bench --
@@ -212,6 +212,11 @@ bench-interface: cargo $(NATIVE) $(SAMPLE) ## Measure the interface in Blender: 
 	@mkdir -p $(BENCH)
 	@$(IN_BUILD) $(BIN)/python tests/bench/measure_interface.py $(BENCH)/interface.json \
 		--grid "$(or $(wildcard $(MOLA)),$(SAMPLE))"
+
+.PHONY: bench-recording
+bench-recording: cargo $(NATIVE) $(SAMPLE) ## Measure recording, F-curves of takes and baking
+	@mkdir -p $(BENCH)
+	@$(IN_BUILD) $(BIN)/python tests/bench/measure_recording.py $(BENCH)/recording.json
 
 # ---------------------------------------------------------------- the extension
 

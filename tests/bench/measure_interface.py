@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import argparse
 import json
-import subprocess
 import sys
 from pathlib import Path
 
@@ -21,6 +20,7 @@ sys.path[:0] = [str(ROOT), str(ROOT / "blender_scripts")]
 
 from tests.bench.goals import Figures, Goal, print_goals  # noqa: E402
 from tests.bench.machine import machine_figures, machine_line  # noqa: E402
+from tests.bench.measured_by import measured_by  # noqa: E402
 from tests.bench.random_modes import wander  # noqa: E402
 from tests.bench.timer_tick import tick_milliseconds  # noqa: E402
 
@@ -63,35 +63,6 @@ def main() -> None:
     vertices = Goal("preview_vertices_max", float(figures["preview_vertices_budget"]))
     print_goals(f"The interface ({machine_line()}; {options.grid.name})", [*GOALS, vertices], figures)
     print(f"Figures: {options.output}")
-
-
-def measured_by(script: Path) -> Figures:
-    """Run a script that measures, and take its figures.
-
-    Raises:
-        SystemExit: it is not there, or failed, or printed something else.
-    """
-    if not script.is_file():
-        raise SystemExit(f"{script.name} is not there: without it these figures cannot be measured")
-    done = subprocess.run([sys.executable, str(script)], stdout=subprocess.PIPE, text=True, check=False)
-    if done.returncode != 0:
-        raise SystemExit(f"{script.name} ended with {done.returncode}")
-    return printed_figures(done.stdout, script.name)
-
-
-def printed_figures(text: str, name: str) -> Figures:
-    """Take the JSON object at the end of what a script printed; Blender's own lines may stand before it.
-
-    Raises:
-        SystemExit: there is none.
-    """
-    lines = text.splitlines()
-    begins = [number for number, line in enumerate(lines) if line.startswith("{")]
-    try:
-        figures: Figures = json.loads("\n".join(lines[begins[-1] :]))
-    except (IndexError, json.JSONDecodeError):
-        raise SystemExit(f"{name} should end with a JSON object of figures, not {lines[-1:]}") from None
-    return figures
 
 
 def _modes() -> Figures:

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from tests.bench.goals import Goal
-from tests.bench.measure_interface import measured_by, printed_figures
+from tests.bench.measured_by import measured_by, printed_figures
 from tests.bench.random_modes import wander
 
 
