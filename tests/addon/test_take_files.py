@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import json
+import os
 import subprocess
 import sys
 import zipfile
@@ -428,6 +429,10 @@ def run_without_blender(*arguments: str) -> list[str]:
     done = subprocess.run(
         [sys.executable, "-c", WITHOUT_BLENDER, *arguments],
         cwd=ROOT,
+        env={
+            **os.environ,
+            "PYTHONPATH": os.pathsep.join(filter(None, sys.path)),
+        },  # an installed zip's modules, too
         capture_output=True,
         text=True,
         check=False,
