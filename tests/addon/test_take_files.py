@@ -426,6 +426,7 @@ for write in (
 
 
 def run_without_blender(*arguments: str) -> list[str]:
+    found_by = os.pathsep.join(filter(None, sys.path))  # also what an installed zip brings
     done = subprocess.run(
         [sys.executable, "-c", WITHOUT_BLENDER, *arguments],
         cwd=ROOT,
