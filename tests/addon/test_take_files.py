@@ -430,10 +430,7 @@ def run_without_blender(*arguments: str) -> list[str]:
     done = subprocess.run(
         [sys.executable, "-c", WITHOUT_BLENDER, *arguments],
         cwd=ROOT,
-        env={
-            **os.environ,
-            "PYTHONPATH": os.pathsep.join(filter(None, sys.path)),
-        },  # an installed zip's modules, too
+        env={**os.environ, "PYTHONPATH": found_by},
         capture_output=True,
         text=True,
         check=False,
