@@ -4,10 +4,14 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
+from sample_grid.megdr import write_pair
+from sample_grid.planet import elevations
+
 from tests.formats.megdr_pair import rough
 from tests.formats.raw_grids import EhdrPair
 from tests.formats.tiff_file import TiffFile
-from tests.gui.conftest import Play
+from tests.gui.conftest import ROOT, Play
 
 SERVO = "haptic-servo"
 """The thread's name."""
@@ -36,5 +40,19 @@ def test_a_take_is_undone_saved_and_loaded_and_blender_quits_in_mid_touch(
     assert outcome.left_running == []
 
 
+def test_olympus_mons_is_touched_for_the_picture_in_the_readme(play: Play) -> None:
+    label = ROOT.parent / "shared" / "data" / "mola" / "megt90n000cb.lbl"
+    if not label.is_file():
+        pytest.skip("the real MOLA grid is not beside the checkout")
+    play("olympus", label, label.with_suffix(".img"))
+
+
 def test_undo_in_mid_touch_goes_back_beyond_its_start(play: Play, planet: list[Path]) -> None:
     play("undo", *planet)
+
+
+def test_undo_in_mid_touch_leaves_nothing_of_the_levels_that_the_timer_made(
+    play: Play, tmp_path: Path
+) -> None:
+    label = write_pair(tmp_path, "planet", elevations(540, 1080))  # more samples than are drawn
+    play("undo", label, label.with_suffix(".img"))
