@@ -49,7 +49,7 @@ def silhouette(blender: Blender, thing: bpy.types.Object, name: str) -> Script[S
     overlay.show_overlays = False
     with_it = yield from blender.picture(name)
     thing.hide_viewport = True
-    without = yield from blender.look()
+    without = yield from blender.picture(f"{name}-hidden")
     thing.hide_viewport = False
     overlay.show_overlays = True
     yield 0.2

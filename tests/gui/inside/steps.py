@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import bpy
+from mathutils import Vector
 
 from tests.gui.inside.blender import MODULE, Blender
 from tests.gui.inside.picture import Picture, grab
@@ -147,6 +148,25 @@ def contact_is(blender: Blender, *, in_contact: bool) -> Until:
     """Wait until the hand touches the ground, or does not."""
     what = "touches the ground" if in_contact else "is in the air"
     return Until(f"the hand {what}", lambda: blender.touch.readout.in_contact is in_contact)
+
+
+STILL = 0.002
+"""Blender units that something may move between two looks and count as still: less than a pixel."""
+
+
+def at_rest(blender: Blender) -> Until:
+    """Wait until cursor and view stand still: a slow Blender shows a motion for long."""
+    seen: list[tuple[Vector, float]] = []
+
+    def stands() -> bool:
+        view = blender.space.region_3d
+        seen.append((cursor(blender).matrix_world.translation.copy(), view.view_distance))
+        place, distance = seen[-1]
+        return len(seen) > 3 and all(
+            (place - earlier).length < STILL and abs(distance - far) < STILL for earlier, far in seen[-4:-1]
+        )
+
+    return Until("the hand has come to rest", stands, every=0.5)
 
 
 def cursor(blender: Blender) -> bpy.types.Object:

@@ -34,15 +34,18 @@ def scenario(blender: Blender) -> Script[None]:
 def _four_shapes(blender: Blender) -> Script[None]:
     """In the air, in contact, pan, zoom: the cursor has a shape and a colour for each."""
     yield from steps.move_target(blender, "Y", "-1.2")  # away from the canyon, onto even ground
+    yield steps.at_rest(blender)
     free = yield from silhouette(blender, steps.cursor(blender), "in-the-air")
     yield from steps.move_target(blender, "Z", "-0.6")
     yield steps.contact_is(blender, in_contact=True)
+    yield steps.at_rest(blender)
     contact = yield from silhouette(blender, steps.cursor(blender), "in-contact")
 
     yield from blender.hand.tap("E")
     yield steps.mode_is(blender, "pan")
     before = blender.touch.session.window
     yield from steps.move_target(blender, "X", "0.3")
+    yield steps.at_rest(blender)
     pan = yield from silhouette(blender, steps.cursor(blender), "pan")
     yield from blender.hand.tap("E")
     yield steps.mode_is(blender, "normal")
@@ -53,6 +56,7 @@ def _four_shapes(blender: Blender) -> Script[None]:
     yield from blender.hand.tap("E")
     yield steps.mode_is(blender, "zoom")
     yield from steps.move_target(blender, "Z", "0.4")
+    yield steps.at_rest(blender)
     zoom = yield from silhouette(blender, steps.cursor(blender), "zoom")
     yield from blender.hand.tap("E")
     yield steps.mode_is(blender, "normal")
