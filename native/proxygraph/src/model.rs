@@ -8,6 +8,7 @@ use crate::numbers::Whole;
 use contact::Feature;
 use pyo3::buffer::PyBuffer;
 use pyo3::prelude::*;
+use pyo3::types::PyMemoryView;
 use std::sync::{Arc, Mutex, PoisonError};
 use surface::Metric;
 
@@ -105,11 +106,26 @@ impl ContactModel {
 /// The doubles of a buffer.
 fn doubles(py: Python<'_>, buffer: &Bound<'_, PyAny>) -> PyResult<Vec<f64>> {
     let expected = "goals is not what was expected: a C-contiguous buffer of doubles";
+    if is_empty(buffer) {
+        return Ok(Vec::new());
+    }
     let buffer = PyBuffer::<f64>::get(buffer).map_err(|_| value_error(expected))?;
     if !buffer.is_c_contiguous() {
         return Err(value_error(expected));
     }
     buffer.to_vec(py)
+}
+
+/// Whether a buffer is one of no doubles. In Python 3.11 that of an empty array is nowhere in memory, which
+/// no typed buffer may be.
+fn is_empty(buffer: &Bound<'_, PyAny>) -> bool {
+    let told = || -> PyResult<bool> {
+        let view = PyMemoryView::from(buffer)?;
+        let count: usize = view.getattr("nbytes")?.extract()?;
+        let format: String = view.getattr("format")?.extract()?;
+        Ok(count == 0 && format == "d")
+    };
+    told().unwrap_or(false)
 }
 
 fn owned<T: ?Sized>(model: &mut Mutex<Box<T>>) -> &mut T {
