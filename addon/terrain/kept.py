@@ -58,6 +58,14 @@ class KeptTerrain:
     position: tuple[float, float] | None = None
     """Latitude and longitude of an SRTM square that was placed by hand."""
 
+    def has_ground_of(self, other: KeptTerrain) -> bool:
+        """Whether the same samples lie in the same places, however they are shown."""
+        return self._ground == other._ground
+
+    @property
+    def _ground(self) -> tuple[object, ...]:
+        return self.grid.layout, self.grid.georeference, self.filled, self.stamp
+
 
 def keep(terrain: bpy.types.Object, kept: KeptTerrain) -> None:
     """Write what the object has to remember."""

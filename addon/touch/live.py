@@ -12,6 +12,7 @@ from proxygraph import Grid, Session, Window
 
 from ..formats import Georeference
 from ..terrain.frame import Point, TerrainFrame
+from ..terrain.kept import KeptTerrain
 from ..terrain.opened import OpenedGrids
 from ..terrain.preview import PreviewSurface
 from .detail import Detail
@@ -89,6 +90,8 @@ class Touch:
     session: Session
     model: ModelChoice
     grid: Grid
+    kept: KeptTerrain
+    """What the terrain remembered when touch began."""
     georeference: Georeference
     frame: TerrainFrame
     surface: PreviewSurface

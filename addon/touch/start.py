@@ -136,6 +136,7 @@ def _touch(
         session=session,
         model=model,
         grid=grid,
+        kept=kept,
         georeference=kept.grid.georeference,
         frame=kept.frame,
         surface=preview_surface(grid, preview_cells(grid.layout, kept.vertex_budget)),

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import atexit
 from collections.abc import Callable
+from contextlib import suppress
 from typing import Any
 
 import bpy
 from bpy.app.handlers import persistent
 
+from ..terrain.kept import KeptError, recall
 from .live import Recording, live
 from .stop import clear_levels, stop_touch
 from .tick import tick
@@ -105,6 +107,18 @@ def _before_undo(*_arguments: object) -> None:
 def _state_returns(*_arguments: object) -> None:
     """An undo, or a file that was saved on its own in mid-touch, brings back what was shown then."""
     clear_levels()
+    _stop_on_other_ground()
+
+
+def _stop_on_other_ground() -> None:
+    """An undo beyond the start of touch may take back a rebuild: another ground is seen than is felt."""
+    touch = live.touch
+    terrain = touch.terrain.find() if touch is not None else None
+    if touch is None or terrain is None:
+        return
+    with suppress(KeptError):  # what was changed by hand is told when touch starts again
+        if not recall(terrain).has_ground_of(touch.kept):
+            stop_touch("Touch stopped: the terrain shows another ground since the undo; start touch again.")
 
 
 def _handlers() -> list[tuple[list[Any], Callable[..., None]]]:

@@ -79,6 +79,9 @@ class HAPTIC_TERRAIN_OT_mouse_touch(bpy.types.Operator):
         except (TouchError, FormatError) as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
+        if self._began:
+            # Else the cursor lies between two steps, and the next undo takes it, and touch, away.
+            bpy.ops.ed.undo_push(message=self.bl_label)
         self._hand = take_hand(touch, BEGINNING if self._began else None)
         self._keys = tuple(keys(context))
         self._timer = context.window_manager.event_timer_add(BETWEEN_LOOKS, window=context.window)

@@ -106,7 +106,13 @@ class Mouse:
         self.reports: list[tuple[set[str], str]] = []
         cls = module("ui.mouse_touch").HAPTIC_TERRAIN_OT_mouse_touch
         self.operator = SimpleNamespace(
-            _hand=None, _began=False, _keys=(), _button=None, _timer=None, _is_crosshair=False
+            bl_label=cls.bl_label,
+            _hand=None,
+            _began=False,
+            _keys=(),
+            _button=None,
+            _timer=None,
+            _is_crosshair=False,
         )
         self.operator.report = lambda kind, text: self.reports.append((kind, text))
         for name in (
@@ -564,7 +570,6 @@ def test_undo_leaves_the_hand_to_the_mouse(mouse: Mouse) -> None:
     bpy.context.preferences.edit.use_global_undo = True
     bpy.ops.ed.undo_push(message="imported")
     begun = mouse.begin()
-    bpy.ops.ed.undo_push(message="begun")
     bpy.ops.mesh.primitive_cube_add()
     bpy.ops.ed.undo_push(message="something else")
     step(mouse=mouse)

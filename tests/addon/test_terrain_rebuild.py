@@ -42,6 +42,25 @@ def kept(terrain: bpy.types.Object) -> Any:
     return module("terrain.kept").recall(terrain)
 
 
+def test_undoing_a_rebuild_in_mid_touch_stops_it(terrain: bpy.types.Object) -> None:
+    bpy.context.preferences.edit.use_global_undo = True
+    name, start, live = terrain.name, module("touch.start").start_touch, module("touch.live").live
+    start(bpy.context, device=sweep(), on_the_clock=False)
+    module("touch.stop").stop_touch()
+    bpy.ops.ed.undo_push(message="touched before, so that there is a cursor")
+    rebuild(region="SAMPLES", first_column=10, first_row=10, columns=20, rows=20)
+    bpy.ops.ed.undo_push(message="rebuilt")
+    touch = start(bpy.context, device=sweep(), on_the_clock=False)
+    bpy.ops.ed.undo_push(message="touching")
+    bpy.ops.ed.undo()
+    assert live.touch is touch, "the ground is still what is felt"
+    bpy.ops.ed.undo()
+    assert kept(bpy.data.objects[name]).grid.layout.columns == 60
+    assert live.touch is None
+    assert not touch.session.running
+    assert "shows another ground" in live.message
+
+
 def test_detail_is_changed_with_the_same_object_and_materials(terrain: bpy.types.Object) -> None:
     material = mesh_of(terrain).materials[0]
     terrain.location = (1.0, 2.0, 3.0)
