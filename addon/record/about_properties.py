@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 from collections.abc import Mapping
 from dataclasses import asdict
@@ -24,12 +25,22 @@ def about_properties(about: TakeAbout) -> dict[str, Any]:
     }
 
 
-def about_from(kept: Mapping[str, Any]) -> TakeAbout:
-    """Make it again.
+def read_about(text: str) -> tuple[TakeAbout, dict[str, Any]]:
+    """Make it again from JSON, with whatever else the text tells.
 
     Raises:
-        KeyError, TypeError, ValueError: what was kept was changed.
+        ValueError: the text was changed, or is something else; it says what is wrong.
     """
+    try:
+        told = json.loads(text)
+        if not isinstance(told, dict):
+            raise TypeError("it is no object")
+        return _about(told), told
+    except (KeyError, TypeError, ValueError, AttributeError, OverflowError, RecursionError) as error:
+        raise ValueError(f"{type(error).__name__}: {error}") from error
+
+
+def _about(kept: Mapping[str, Any]) -> TakeAbout:
     rows, columns = _count(kept["rows"], 2), _count(kept["columns"], 2)
     return TakeAbout(
         terrain=_text(kept["terrain"]),

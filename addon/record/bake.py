@@ -17,7 +17,6 @@ from proxygraph import Grid, SimulatedDevice, Window
 from ..terrain.frame import TerrainFrame
 from ..terrain.kept import KeptTerrain, recall
 from ..terrain.opening import open_shown
-from ..terrain.preview import preview_cells, preview_surface
 from ..terrain.progress import Tell
 from ..terrain.undone import undone_on_failure
 from ..touch.handle import Handle
@@ -124,7 +123,7 @@ def baked(bake: Bake) -> Generator[float, None, Baked]:
         **asdict(bake.model),
     )
     columns = yield from _shares(felt(answer, times, goals), SAMPLING, 1.0)
-    about = terrain_about(found(bake.terrain), kept)
+    about = terrain_about(bake.terrain.name, kept)
     about = replace(about, workspace_width=answer.workspace_width, models=(answer.model,))
     data = TakeData(columns, about)
     return Baked(data, answer, path, stand, ground, _notes(bake, data, places))
@@ -153,7 +152,7 @@ def opened_ground(bake: Bake) -> tuple[KeptTerrain, Ground]:
     """
     kept = recall(found(bake.terrain))
     grid = open_shown(live.opened, kept)
-    return kept, Ground(grid, preview_surface(grid, preview_cells(grid.layout, kept.vertex_budget)))
+    return kept, Ground.of(grid, kept)
 
 
 def path_of(bake: Bake) -> Generator[float, None, Path]:

@@ -8,7 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 from proxygraph import Grid
 
-from ..terrain.preview import PreviewSurface
+from ..terrain.kept import KeptTerrain
+from ..terrain.preview import PreviewSurface, preview_cells, preview_surface
 from .take_data import Numbers
 
 
@@ -18,6 +19,11 @@ class Ground:
 
     grid: Grid
     surface: PreviewSurface
+
+    @staticmethod
+    def of(grid: Grid, kept: KeptTerrain) -> Ground:
+        """Read the samples that a terrain shows."""
+        return Ground(grid, preview_surface(grid, preview_cells(grid.layout, kept.vertex_budget)))
 
     def real(self, east: Numbers, north: Numbers) -> Numbers:
         """Elevations of the whole grid, metres, at terrain metres on the map; NaN in holes and beside it."""

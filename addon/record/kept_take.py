@@ -11,7 +11,7 @@ from typing import Any
 import bpy
 import numpy as np
 
-from .about_properties import about_from, about_properties
+from .about_properties import about_properties, read_about
 from .take_data import TakeData
 
 KEY = "haptic_terrain_take"
@@ -67,10 +67,10 @@ def recall_take(action: bpy.types.Action) -> TakeData:
     kept: Any = action[KEY]
     try:
         columns = {str(name): np.array(values, dtype=np.float64) for name, values in kept[COLUMNS].items()}
-        about = about_from(json.loads(kept[ABOUT]))
+        about, _told = read_about(kept[ABOUT])
         if columns:
             return TakeData.of(columns, about)
-    except (KeyError, TypeError, ValueError, AttributeError, OverflowError, RecursionError) as error:
+    except (KeyError, TypeError, ValueError, AttributeError) as error:
         raise KeptTakeError(
             f"{action.name} does not remember its ticks any more: its custom property {KEY} was changed "
             f"({type(error).__name__}: {error}). Record the take again."

@@ -8,7 +8,6 @@ from dataclasses import replace
 import bpy
 from proxygraph import SessionError
 
-from ..terrain.kept import KeptError, recall
 from ..terrain.progress import progress
 from ..terrain.undone import undone_on_failure
 from ..touch.live import Recording, Touch, live
@@ -23,7 +22,7 @@ from .spool_text import spool_text
 from .spools import new_spool
 from .take_data import TakeAbout, TakeData
 from .take_options import DEFAULT_TRAILS
-from .terrain_about import grid_of, terrain_about
+from .terrain_about import terrain_about
 from .write_take import Take, write_take
 
 log = logging.getLogger(__name__)
@@ -50,18 +49,12 @@ def start_recording(context: bpy.types.Context) -> None:
     scene = touch.scene.find()
     if scene is None:
         raise RecordingError("The scene in which touch was started is gone: start it again.")
-    try:
-        about = terrain_about(terrain, recall(terrain))
-    except KeptError as error:
-        raise RecordingError(str(error)) from error
-    about = replace(about, workspace_width=touch.workspace[0], models=(touch.session.model,))
+    about = replace(_about(touch), models=(touch.session.model,))
     recording = Recording(
         touch=touch,
         recorder=Recorder(touch.session),
         placement=Placement.of(terrain, touch.frame),
         start_frame=scene.frame_current,
-        source=about.source,
-        digest=about.digest,
         not_spooled=_record(touch, spool_text(about, scene.frame_current)),
     )
     if scene.haptic_terrain.play_timeline:
@@ -118,18 +111,13 @@ def discard_recording(context: bpy.types.Context) -> None:
 
 def take_data(recording: Recording) -> TakeData:
     """What was recorded so far, in the form that all writers take."""
-    touch, recorder = recording.touch, recording.recorder
-    about = TakeAbout(
-        terrain=touch.terrain.name,
-        source=recording.source,
-        digest=recording.digest,
-        georeference=touch.georeference,
-        workspace_width=touch.workspace[0],
-        models=tuple(recording.models),
-        lost_ticks=recorder.dropped,
-        **grid_of(touch.grid.layout),
-    )
+    recorder = recording.recorder
+    about = replace(_about(recording.touch), models=tuple(recording.models), lost_ticks=recorder.dropped)
     return TakeData.of(recorder.columns, about)
+
+
+def _about(touch: Touch) -> TakeAbout:
+    return replace(terrain_about(touch.terrain.name, touch.kept), workspace_width=touch.workspace[0])
 
 
 def _record(touch: Touch, about: str) -> str:

@@ -11,7 +11,6 @@ from proxygraph import Take as FeltTake
 from ..formats import FormatError
 from ..terrain.kept import KeptError, KeptTerrain, is_terrain, recall
 from ..terrain.opening import open_shown
-from ..terrain.preview import preview_cells, preview_surface
 from ..terrain.progress import progress
 from ..terrain.undone import undone_on_failure
 from ..touch.live import live
@@ -100,7 +99,7 @@ def _left(scene: bpy.types.Scene, path: Path, felt: FeltTake) -> _Left:
     except FormatError as error:
         raise RecordingError(str(error)) from error
     data = TakeData.of(TakeColumns(felt), replace(about, lost_ticks=felt.dropped))
-    ground = Ground(grid, preview_surface(grid, preview_cells(grid.layout, kept.vertex_budget)))
+    ground = Ground.of(grid, kept)
     return _Left(data, placement, ground, first_frame(felt, asked_at, scene, played=False))
 
 
@@ -117,7 +116,7 @@ def _terrain(scene: bpy.types.Scene, about: TakeAbout) -> tuple[bpy.types.Object
     for terrain in filter(is_terrain, scene.objects):
         try:
             kept = recall(terrain)
-            check_same_terrain(about, terrain_about(terrain, kept))
+            check_same_terrain(about, terrain_about(terrain.name, kept))
         except KeptError:
             continue  # told when it is touched
         except OtherTerrainError as error:

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import json
-from typing import Any
 
-from .about_properties import about_from, about_properties
+from .about_properties import about_properties, read_about
 from .take_data import TakeAbout
 
 START_FRAME = "start_frame"
@@ -26,12 +25,8 @@ def from_spool_text(text: str) -> tuple[TakeAbout, int]:
     Raises:
         ValueError: it is no such text.
     """
-    told: Any = json.loads(text)
-    if not isinstance(told, dict):
-        raise ValueError("it is no JSON object")
-    try:
-        return about_from(told), int(told[START_FRAME])
-    except KeyError as error:
-        raise ValueError(f"{error} is missing") from error
-    except (TypeError, OverflowError) as error:
-        raise ValueError(str(error)) from error
+    about, told = read_about(text)
+    frame = told.get(START_FRAME)
+    if not isinstance(frame, int):
+        raise ValueError(f"{START_FRAME} is {frame!r}, expected a whole number")
+    return about, frame

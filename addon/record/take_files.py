@@ -9,7 +9,6 @@ import bpy
 
 from ..formats import FormatError
 from ..terrain.kept import KeptError, is_terrain, recall
-from ..terrain.preview import preview_cells, preview_surface
 from ..terrain.progress import Tell
 from ..touch.marking import open_grid
 from ..touch.placement import Placement
@@ -91,9 +90,9 @@ def import_take(
         )
     found = reader(path)
     kept = recall(terrain)
-    check_same_terrain(found.data.about, terrain_about(terrain, kept))
+    check_same_terrain(found.data.about, terrain_about(terrain.name, kept))
     grid = open_grid(terrain, kept)
-    ground = Ground(grid, preview_surface(grid, preview_cells(grid.layout, kept.vertex_budget)))
+    ground = Ground.of(grid, kept)
     placement = Placement.of(terrain, kept.frame)
     options = chosen_options(scene, scene.frame_current)
     return write_take(scene, found.data, placement, ground, options, tell), found.notes
@@ -104,9 +103,9 @@ def _ground_of(about: TakeAbout) -> Ground | None:
     for terrain in filter(is_terrain, bpy.data.objects):
         try:
             kept = recall(terrain)
-            check_same_terrain(about, terrain_about(terrain, kept))
+            check_same_terrain(about, terrain_about(terrain.name, kept))
             grid = open_grid(terrain, kept)
         except (KeptError, OtherTerrainError, FormatError):
             continue
-        return Ground(grid, preview_surface(grid, preview_cells(grid.layout, kept.vertex_budget)))
+        return Ground.of(grid, kept)
     return None

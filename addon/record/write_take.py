@@ -43,6 +43,8 @@ class Take:
     """Ticks that were lost because Blender was busy for longer than the ring lasts."""
     cut_seconds: float
     """At the end, that lie beyond Blender's last frame and have no keys."""
+    left_out: tuple[str, ...]
+    """Columns that only one of two takes had that were put together."""
 
     @property
     def trail(self) -> bpy.types.Object | None:
@@ -74,9 +76,12 @@ def write_take(
     rate = scene.render.fps / scene.render.fps_base
     start_frame = options.start_frame
     older = take_action(options.onto)
-    if older is not None and options.append:
-        old_start = recall_start_frame(older)
-        data = merged(recall_take(older), data, (start_frame - old_start) / rate)
+    appended = older is not None and options.append
+    left_out: tuple[str, ...] = ()
+    if older is not None and appended:
+        old, old_start = recall_take(older), recall_start_frame(older)
+        left_out = tuple(sorted(old.columns.keys() ^ data.columns.keys()))
+        data = merged(old, data, (start_frame - old_start) / rate)
         start_frame = min(start_frame, old_start)
     keys = take_keys(
         data,
@@ -94,7 +99,8 @@ def write_take(
     onto = options.onto if older is not None else None
     take = onto or new_take(scene, placement, placement.longest_side(ground.grid.layout))
     action = key_take(take, keys, data.about.models)
-    keep_take(action, data, start_frame, ticks=options.keep_ticks)
+    # What is appended to keeps its ticks: the older ones are nowhere else.
+    keep_take(action, data, start_frame, ticks=options.keep_ticks or appended)
     # So that the take plays to its end; a longer range that was chosen stays.
     scene.frame_end = max(scene.frame_end, keys.last_frame)
     if options.markers:
@@ -102,7 +108,15 @@ def write_take(
     if options.nla:
         push_down(take, action)
     _place_trails(home(take, scene), take, trails, placement)
-    return Take(take, trails, len(keys.location), data.seconds, data.about.lost_ticks, keys.cut_seconds)
+    return Take(
+        take,
+        trails,
+        len(keys.location),
+        data.seconds,
+        data.about.lost_ticks,
+        keys.cut_seconds,
+        left_out,
+    )
 
 
 def _place_trails(

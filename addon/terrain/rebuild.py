@@ -122,11 +122,13 @@ def exaggerate(terrain: bpy.types.Object, exaggeration: float) -> None:
     """Show and feel heights otherwise, at once and without the grid's file: every vertex knows its elevation.
 
     Raises:
-        KeptError: the terrain does not remember its grid.
+        KeptError: the terrain does not remember its grid, or its mesh is being edited.
     """
     frame = recall(terrain).frame
     new = replace(frame, exaggeration=exaggeration)
     mesh = terrain.data
+    if isinstance(mesh, bpy.types.Mesh) and mesh.is_editmode:  # what is edited knows no elevations
+        raise KeptError(f"{terrain.name} is in Edit Mode: leave that to change its heights.")
     elevations = mesh.attributes.get(ELEVATION) if isinstance(mesh, bpy.types.Mesh) else None
     if elevations is not None and len(elevations.data) == len(mesh.vertices) > 0:
         heights = np.empty(len(mesh.vertices), dtype=np.float32)

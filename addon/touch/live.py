@@ -155,10 +155,6 @@ class Recording:
     placement: Placement
     """Of the terrain when the take began, for when it is gone at the end."""
     start_frame: int
-    source: str
-    """Name of the file with the terrain's samples."""
-    digest: str
-    """Of that file, as ``SourceStamp`` has it; empty where it is not known."""
     models: list[str] = field(default_factory=list)
     """Contact models that answered, in their order."""
     played: Played | None = None

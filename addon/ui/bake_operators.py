@@ -15,6 +15,7 @@ from ..touch.live import RENDERING, live
 from .goal_choices import GoalChoices, chosen_frames, chosen_goal, poll_goal, terrain_under
 from .in_turns import InTurns
 from .operator_status import OperatorStatus
+from .take_report import report_take
 
 
 class HAPTIC_TERRAIN_OT_bake(InTurns, bpy.types.Operator, GoalChoices):
@@ -62,9 +63,7 @@ class HAPTIC_TERRAIN_OT_bake(InTurns, bpy.types.Operator, GoalChoices):
 
     def write(self, result: Baked, tell: Tell) -> None:
         """Write the take, and tell what came of it."""
-        take = write_baked(self._bake, result, tell)
-        goal = self._bake.goal.name
-        self.report({"INFO"}, f"{take.take.name}: {take.seconds:.1f} s of {goal}, {take.keyframes:,} keys")
+        report_take(self, write_baked(self._bake, result, tell))
         for note in result.notes:
             self.report({"WARNING"}, note)
 

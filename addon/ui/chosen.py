@@ -5,7 +5,7 @@ from __future__ import annotations
 import bpy
 
 from ..touch.error import TouchError
-from ..touch.live import live
+from ..touch.live import RENDERING, live
 from ..touch.start import chosen_terrain
 
 
@@ -20,7 +20,10 @@ def shown_terrain(context: bpy.types.Context) -> bpy.types.Object | None:
 
 
 def poll_terrain(cls: type[bpy.types.Operator], context: bpy.types.Context) -> bool:
-    """Whether an operator has a terrain to work on."""
+    """Whether an operator has a terrain to work on, and may change the scene."""
+    if live.rendering:
+        cls.poll_message_set(RENDERING)
+        return False
     if shown_terrain(context) is None:
         cls.poll_message_set("Select the terrain that is meant, or import one")
         return False

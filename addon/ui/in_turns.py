@@ -14,6 +14,7 @@ from ..terrain.kept import KeptError
 from ..terrain.progress import Tell, finished, progress
 from ..touch.live import live
 from .operator_status import OperatorStatus
+from .shown_work import ShownWork
 
 TURN_SECONDS = 0.05
 """Of work between two looks at the keys."""
@@ -22,7 +23,7 @@ EXPECTED = (AnimationError, FormatError, KeptError, ValueError)
 """What a person can mend, and is told."""
 
 
-class InTurns:
+class InTurns(ShownWork):
     """Of an operator that gives its work as a generator of the share that is done.
 
     Closing the generator must undo what it did to the scene; what it returns goes to ``write``. A person is
@@ -42,7 +43,6 @@ class InTurns:
     _asking = False
     """Whether a dialog is open, whose answer will be ``execute``."""
     _work: Generator[float, None, Any] | None = None
-    _timer: bpy.types.Timer | None = None
 
     def work(self, context: bpy.types.Context) -> Generator[float, None, Any]:
         """Look at what was chosen, and give the work, not yet begun."""
@@ -79,10 +79,7 @@ class InTurns:
         except EXPECTED as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
-        manager = context.window_manager
-        self._timer = manager.event_timer_add(TURN_SECONDS / 2.0, window=context.window)
-        manager.progress_begin(0.0, 1.0)
-        manager.modal_handler_add(self)  # type: ignore[arg-type]  # every class of this kind is an operator
+        self.begin_showing(context, TURN_SECONDS / 2.0)
         return {"RUNNING_MODAL"}
 
     def modal(self, context: bpy.types.Context, event: bpy.types.Event) -> OperatorStatus:
@@ -104,22 +101,16 @@ class InTurns:
         except BaseException:
             self.cancel(context)
             raise
-        context.window_manager.progress_update(share)
-        if context.workspace is not None:
-            context.workspace.status_text_set(f"{self.bl_label}: {share:.0%} (Esc cancels)")
+        self.show_work(context, self.bl_label, share, "Esc cancels")
         return {"RUNNING_MODAL"}
 
     def cancel(self, context: bpy.types.Context) -> None:
         """End early: the person, or Blender, takes the work away. Harmless when it has ended."""
-        if self._work is None or self._timer is None:
+        if self._work is None:
             return
         self._work.close()
-        manager = context.window_manager
-        manager.event_timer_remove(self._timer)
-        manager.progress_end()
-        if context.workspace is not None:
-            context.workspace.status_text_set(None)
-        self._work = self._timer = None
+        self._work = None
+        self.end_showing(context)
 
     def _turn(self) -> float:
         """Work for a moment; gives the share that is done, and raises ``StopIteration`` when all is."""

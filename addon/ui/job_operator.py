@@ -7,6 +7,7 @@ from typing import Any, Protocol
 import bpy
 
 from .operator_status import OperatorStatus
+from .shown_work import ShownWork
 
 POLL_SECONDS = 0.1
 """Between two looks at a job that runs."""
@@ -37,19 +38,15 @@ class Job(Protocol):
         """What is being done, in words."""
 
 
-class JobOperator:
+class JobOperator(ShownWork):
     """What an operator needs to watch a job; it gives ``end``, which takes the job when that has ended."""
 
     _job: Any = None
-    _timer: bpy.types.Timer | None = None
 
     def begin(self, context: bpy.types.Context, job: Job) -> OperatorStatus:
         """Start the job, and watch it."""
         self._job = job
-        manager = context.window_manager
-        self._timer = manager.event_timer_add(POLL_SECONDS, window=context.window)
-        manager.progress_begin(0.0, 1.0)
-        manager.modal_handler_add(self)  # type: ignore[arg-type]
+        self.begin_showing(context, POLL_SECONDS)
         job.start()
         return {"RUNNING_MODAL"}
 
@@ -64,7 +61,7 @@ class JobOperator:
         if event.type != "TIMER":
             return {"PASS_THROUGH"}
         if not job.poll():
-            _show(context, job)
+            self.show_work(context, job.step, job.share, "ending ..." if job.cancelled else "Esc cancels")
             return {"PASS_THROUGH"}
         self._clear(context)
         return self.end(context, job)
@@ -80,18 +77,5 @@ class JobOperator:
         raise NotImplementedError
 
     def _clear(self, context: bpy.types.Context) -> None:
-        """Take the timer and the display back."""
-        manager = context.window_manager
-        if self._timer is not None:
-            manager.event_timer_remove(self._timer)
-        manager.progress_end()
-        if context.workspace is not None:
-            context.workspace.status_text_set(None)
-        self._job = self._timer = None
-
-
-def _show(context: bpy.types.Context, job: Job) -> None:
-    context.window_manager.progress_update(job.share)
-    if context.workspace is not None:
-        ending = "ending ..." if job.cancelled else "Esc cancels"
-        context.workspace.status_text_set(f"{job.step}: {job.share:.0%} ({ending})")
+        self.end_showing(context)
+        self._job = None

@@ -8,9 +8,9 @@ from ..record.about_properties import OtherTerrainError
 from ..record.kept_take import KeptTakeError
 from ..record.recording import RecordingError, discard_recording, start_recording, stop_recording
 from ..record.recover import recover_take
-from ..record.write_take import Take
 from ..touch.live import RENDERING, live
 from .operator_status import OperatorStatus
+from .take_report import report_take
 
 
 class HAPTIC_TERRAIN_OT_record_start(bpy.types.Operator):
@@ -127,21 +127,3 @@ class HAPTIC_TERRAIN_OT_recover_take(bpy.types.Operator):
         if recovered.lost is not None:
             self.report({"WARNING"}, f"Not all of the take was left: {recovered.lost}")
         return {"FINISHED"}
-
-
-def report_take(operator: bpy.types.Operator, take: Take) -> None:
-    """Tell what was written, and what is missing in it."""
-    operator.report(
-        {"INFO"}, f"{take.take.name}: {take.seconds:.1f} s, {take.keyframes:,} keys on each curve"
-    )
-    if take.dropped:
-        operator.report(
-            {"WARNING"},
-            f"{take.dropped:,} ticks were lost while the computer was busy: the take holds still there",
-        )
-    if take.cut_seconds:
-        operator.report(
-            {"WARNING"},
-            f"The last {take.cut_seconds:.1f} s lie beyond Blender's last frame and have no keys: "
-            "start from an earlier frame",
-        )

@@ -15,9 +15,9 @@ from ..record.take_files import export_take, import_take
 from ..terrain.kept import KeptError
 from ..terrain.progress import progress
 from ..terrain.undone import undone_on_failure
-from ..touch.live import RENDERING, live
 from .chosen import poll_terrain, shown_terrain
 from .operator_status import OperatorStatus
+from .take_report import report_take
 
 FORMATS = [
     ("CSV", "CSV", "A table of all ticks, as text"),
@@ -98,10 +98,7 @@ class HAPTIC_TERRAIN_OT_import_take(bpy.types.Operator, ImportHelper):  # type: 
 
     @classmethod
     def poll(cls, context: bpy.types.Context) -> bool:
-        """Only with the terrain that it was felt on, and not while a picture is rendered."""
-        if live.rendering:
-            cls.poll_message_set(RENDERING)
-            return False
+        """Only with the terrain that it was felt on."""
         return poll_terrain(cls, context)
 
     def execute(self, context: bpy.types.Context) -> OperatorStatus:
@@ -121,9 +118,7 @@ class HAPTIC_TERRAIN_OT_import_take(bpy.types.Operator, ImportHelper):  # type: 
             return {"CANCELLED"}
         for note in notes:
             self.report({"WARNING"}, note)
-        self.report(
-            {"INFO"}, f"{take.take.name}: {take.seconds:.1f} s, {take.keyframes:,} keys on each curve"
-        )
+        report_take(self, take)
         return {"FINISHED"}
 
 

@@ -16,7 +16,8 @@ import pytest
 from proxygraph import CancelledError
 
 from tests.addon.scene import contents, module
-from tests.addon.test_import_job import Window, run_until_done
+from tests.addon.status_bar import said
+from tests.addon.test_import_job import SHOWING, Window, run_until_done
 from tests.addon.web_server import Site, served
 from tests.formats.megdr_pair import MegdrPair, rough
 
@@ -309,7 +310,7 @@ def test_a_person_sees_how_far_it_is_and_can_cancel(
     job = module("terrain.megdr").MegdrJob(product(site.files), site.address, folder)
     operator = SimpleNamespace(_job=None, _timer=None, answered=True, _new_job=lambda: job)
     operator.report = lambda kind, text: reports.append((kind, text))
-    for name in ("invoke", "begin", "modal", "_clear", "end"):
+    for name in ("invoke", "begin", "modal", "_clear", "end", *SHOWING):
         setattr(operator, name, getattr(cls, name).__get__(operator))
 
     def import_grid(*_call: str, filepath: str, **_more: object) -> set[str]:
@@ -323,7 +324,7 @@ def test_a_person_sees_how_far_it_is_and_can_cancel(
     site.gate = threading.Event()
     assert operator.invoke(window.context, None) == {"RUNNING_MODAL"}
     operator.modal(window.context, SimpleNamespace(type="TIMER", value="NOTHING"))
-    assert "Esc cancels" in str(window.status[-1])
+    assert "Esc cancels" in said(window.status[-1])
     if cancelled:
         operator.modal(window.context, SimpleNamespace(type="ESC", value="PRESS"))
     else:

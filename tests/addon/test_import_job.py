@@ -14,6 +14,7 @@ from proxygraph import Grid
 
 from tests.addon.decoded import copying, decode_everything
 from tests.addon.scene import contents, module
+from tests.addon.status_bar import said
 from tests.formats.megdr_pair import MegdrPair, rough
 from tests.formats.usgs_dem_file import DemFile
 
@@ -134,11 +135,15 @@ def test_what_no_file_is_to_blame_for_is_raised_by_finish(
         finish(job)
 
 
+SHOWING = ("begin_showing", "show_work", "end_showing")
+"""Methods of operators that show long work."""
+
+
 class Window:
     """What the operator needs of Blender's window manager, workspace and window."""
 
     def __init__(self, windows: tuple[object, ...] = ()) -> None:
-        self.status: list[str | None] = []
+        self.status: list[Any] = []
         self.timers = 0
         self.handlers: list[Any] = []
         manager = SimpleNamespace(
@@ -184,7 +189,7 @@ def operator_for(label: Path) -> Any:
         _timer=None,
     )
     operator.report = lambda kind, text: operator.reports.append((kind, text))
-    for name in ("invoke", "modal", "cancel", "begin", "_clear", "end"):
+    for name in ("invoke", "modal", "cancel", "begin", "_clear", "end", *SHOWING):
         setattr(operator, name, getattr(cls, name).__get__(operator))
     return operator
 
@@ -207,8 +212,8 @@ def test_an_answered_dialog_imports_in_steps_that_leave_blender_free(
     assert window.handlers == [operator]
     assert gate.begun.wait(WAIT)
     assert operator.modal(window.context, SimpleNamespace(type="TIMER", value="NOTHING")) == {"PASS_THROUGH"}
-    assert "Decoding" in str(window.status[-1])
-    assert "Esc" in str(window.status[-1])
+    assert "Decoding" in said(window.status[-1])
+    assert "Esc" in said(window.status[-1])
     moved = SimpleNamespace(type="MOUSEMOVE", value="NOTHING")
     assert operator.modal(window.context, moved) == {"PASS_THROUGH"}
     gate.open.set()

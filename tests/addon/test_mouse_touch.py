@@ -15,6 +15,7 @@ from proxygraph import SessionError
 from tests.addon.hands import sweep
 from tests.addon.scene import import_grid, module
 from tests.addon.stand_in import StandIn
+from tests.addon.status_bar import said
 from tests.formats.megdr_pair import MegdrPair, planet
 
 PASSED, TAKEN, ENDED = {"PASS_THROUGH"}, {"RUNNING_MODAL"}, {"FINISHED"}
@@ -78,15 +79,7 @@ class Screen:
 
     def hints(self) -> str:
         """What the status bar says."""
-        drawn: list[str] = []
-        layout = SimpleNamespace(
-            label=lambda *, text: drawn.append(text),
-            separator_spacer=lambda: None,
-            template_reports_banner=lambda: None,
-            template_running_jobs=lambda: None,
-        )
-        self.status[-1](SimpleNamespace(layout=layout), None)
-        return " | ".join(drawn)
+        return said(self.status[-1])
 
     def _add(self, _seconds: float, *, window: object) -> object:
         self.timers += 1

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import signal
 import subprocess
@@ -15,6 +16,7 @@ from proxygraph import ScriptedDevice
 
 from tests.addon.hands import circles, sweep
 from tests.addon.scene import contents, import_grid, keys_of, module
+from tests.addon.takes import about
 from tests.formats.megdr_pair import MegdrPair, planet, rough
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -275,3 +277,17 @@ def test_a_take_of_a_blender_that_was_killed_is_recovered(tmp_path: Path, spools
     kept = module("record.kept_take")
     assert len(kept.recall_take(kept.take_action(recover().written.take))) >= spooled
     assert list(spools.iterdir()) == []
+
+
+@pytest.mark.parametrize("damaged", ['{"georeference": 3}', "[" * 100_000, "3"])
+def test_a_text_about_a_take_that_was_damaged_is_refused(damaged: str) -> None:
+    with pytest.raises(ValueError, match=r"\w"):
+        module("record.spool_text").from_spool_text(damaged)
+
+
+@pytest.mark.parametrize("damaged", [3, [], "Mars", None, {}, {"ellipsoid": 3}])
+def test_a_text_about_a_take_with_a_damaged_place_is_refused(damaged: Any) -> None:
+    spool_text = module("record.spool_text")
+    told = json.loads(spool_text.spool_text(about(), 1))
+    with pytest.raises(ValueError, match=r"\w"):
+        spool_text.from_spool_text(json.dumps({**told, "georeference": damaged}))

@@ -338,6 +338,34 @@ def test_a_take_can_be_appended_to_before_after_and_within(terrain: bpy.types.Ob
         assert len(np.unique(np.round(x, 5), axis=0)) == 2
 
 
+def test_a_take_that_is_appended_to_keeps_its_ticks_whatever_is_chosen(terrain: bpy.types.Object) -> None:
+    felt(500)
+    take = stop().take
+    settings().take_onto, settings().take, settings().keep_ticks = "APPEND", take, False
+    bpy.context.scene.frame_set(101)
+    felt(500, terrain=terrain, device=circles())
+    stop()
+    assert len(module("record.kept_take").recall_take(take.animation_data.action)) == 1000
+
+
+def test_what_only_one_of_two_takes_has_is_told_when_they_are_put_together(
+    terrain: bpy.types.Object, capfd: pytest.CaptureFixture[str]
+) -> None:
+    kept_take = module("record.kept_take")
+    felt(500)
+    take = stop().take
+    action = take.animation_data.action
+    data = kept_take.recall_take(action)
+    fewer = {name: values for name, values in data.columns.items() if name not in {"buttons", "twist"}}
+    kept_take.keep_take(action, replace(data, columns=fewer), 1, ticks=True)
+    settings().take_onto, settings().take = "APPEND", take
+    bpy.context.scene.frame_set(101)
+    felt(500, terrain=terrain, device=circles())
+    assert bpy.ops.haptic_terrain.record_stop() == {"FINISHED"}
+    assert "Only one of the two takes has buttons, twist" in capfd.readouterr().out
+    assert "buttons" not in kept_take.recall_take(action).columns
+
+
 def test_a_take_of_which_nothing_was_kept_is_not_appended_to_and_nothing_is_lost(
     terrain: bpy.types.Object,
 ) -> None:

@@ -14,7 +14,7 @@ import pytest
 
 from tests.addon.hands import sweep
 from tests.addon.scene import contents, import_grid, module, positions
-from tests.addon.test_import_job import Window, run_until_done
+from tests.addon.test_import_job import SHOWING, Window, run_until_done
 from tests.addon.test_panels import Notes
 from tests.formats.megdr_pair import MegdrPair, rough
 
@@ -172,11 +172,20 @@ def test_linked_duplicates_are_exaggerated_together(terrain: bpy.types.Object) -
     assert kept(other).frame.exaggeration == pytest.approx(5.0)
 
 
+def test_heights_stay_while_the_mesh_is_edited(terrain: bpy.types.Object) -> None:
+    before = kept(terrain).frame.exaggeration
+    bpy.context.view_layer.objects.active = terrain
+    bpy.ops.object.mode_set(mode="EDIT")
+    terrain.haptic_terrain.exaggeration = 5.0
+    bpy.ops.object.mode_set(mode="OBJECT")
+    assert kept(terrain).frame.exaggeration == before
+
+
 def test_a_hand_that_came_meanwhile_is_not_disturbed(terrain: bpy.types.Object) -> None:
     window, reports = Window(), []
     cls = module("ui.terrain_operators").HAPTIC_TERRAIN_OT_rebuild
     operator = SimpleNamespace(_timer=None, report=lambda _kind, text: reports.append(text))
-    for name in ("modal", "_clear", "end"):
+    for name in ("modal", "_clear", "end", *SHOWING):
         setattr(operator, name, getattr(cls, name).__get__(operator))
     options = replace(module("terrain.rebuild").options_of(kept(terrain)), vertex_budget=100)
     operator._job = module("terrain.rebuild").RebuildJob(terrain, options)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -11,7 +10,7 @@ import numpy as np
 
 from ...formats.format_error import FormatError
 from ...formats.refusal import shortened
-from ..about_properties import about_from
+from ..about_properties import read_about
 from ..take_data import MODES, NEEDED, Numbers, TakeAbout, TakeData
 from .columns import DERIVED, MAY_BE_UNKNOWN, MEANINGS
 
@@ -37,15 +36,12 @@ def about_of_text(path: Path, text: str) -> TakeAbout:
         FormatError: that is damaged.
     """
     try:
-        kept = json.loads(text)
-        if not isinstance(kept, dict):
-            raise TypeError("it is no object")
-        return about_from(kept)
-    except (KeyError, TypeError, ValueError, AttributeError, OverflowError, RecursionError) as error:
+        return read_about(text)[0]
+    except ValueError as error:
         raise FormatError(
             path,
             "about",
-            found=shortened(f"{type(error).__name__}: {error}"),
+            found=shortened(str(error)),
             expected="what the take was felt on, as JSON",
             way_out=WAY_OUT,
         ) from error

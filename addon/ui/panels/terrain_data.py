@@ -42,7 +42,7 @@ class HAPTIC_TERRAIN_PT_data(bpy.types.Panel):
             draw_message(layout, str(error))
             return
         column = layout.column()
-        column.enabled = terrain.library is None
+        column.enabled = terrain.library is None and terrain.mode != "EDIT"
         column.prop(terrain.haptic_terrain, "exaggeration")
         if not kept.grid.data_path.is_file():
             draw_message(layout, missing(kept))
