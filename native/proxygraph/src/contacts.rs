@@ -1,8 +1,7 @@
 //! What many updates of a contact model found, by column.
 
-use crate::grid::memoryview_of_doubles;
+use crate::columns::{self, Column};
 use crate::ticks::feature_number;
-use pyo3::exceptions::PyKeyError;
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 
@@ -13,10 +12,7 @@ pub struct Found {
     pub contact: contact::Contact,
 }
 
-/// A column's name and how its value is read from what was found.
-type Column = (&'static str, fn(&Found) -> f64);
-
-const COLUMNS: [Column; 13] = [
+const COLUMNS: [Column<Found>; 13] = [
     ("proxy_east", |found| found.proxy[0]),
     ("proxy_north", |found| found.proxy[1]),
     ("proxy_up", |found| found.proxy[2]),
@@ -48,7 +44,7 @@ impl Contacts {
 impl Contacts {
     #[classattr]
     fn columns(py: Python<'_>) -> PyResult<Py<PyTuple>> {
-        Ok(PyTuple::new(py, COLUMNS.map(|(name, _)| name))?.unbind())
+        columns::names(py, &COLUMNS)
     }
 
     fn __len__(&self) -> usize {
@@ -56,11 +52,6 @@ impl Contacts {
     }
 
     fn column<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyAny>> {
-        let known = COLUMNS.iter().find(|(known, _)| *known == name);
-        let Some((_, value)) = known else {
-            return Err(PyKeyError::new_err(format!("'{name}' is not one of Contacts.columns")));
-        };
-        let values: Vec<f64> = self.found.iter().map(value).collect();
-        memoryview_of_doubles(py, &values)
+        columns::column(py, "Contacts", &COLUMNS, self.found.iter(), name)
     }
 }

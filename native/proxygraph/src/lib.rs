@@ -2,6 +2,7 @@
 //! units and errors, is `proxygraph.pyi`.
 
 mod choice;
+mod columns;
 mod contacts;
 mod decode;
 mod devices;

@@ -1,9 +1,8 @@
 //! Takes as Python sees them: by column.
 
+use crate::columns::{self, Column};
 use crate::errors::{os_error, value_error};
-use crate::grid::memoryview_of_doubles;
 use pyo3::create_exception;
-use pyo3::exceptions::PyKeyError;
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 use std::path::{Path, PathBuf};
@@ -24,10 +23,7 @@ create_exception!(
     "A take's file is being written, or was claimed, by a program that runs."
 );
 
-/// A column's name and how its value is read from a tick.
-type Column = (&'static str, fn(&Tick) -> f64);
-
-const COLUMNS: [Column; 27] = [
+const COLUMNS: [Column<Tick>; 27] = [
     ("tick", |tick| tick.number as f64),
     ("time", |tick| tick.time),
     ("hand_x", |tick| tick.hand[0]),
@@ -101,7 +97,7 @@ impl Take {
 impl Take {
     #[classattr]
     fn columns(py: Python<'_>) -> PyResult<Py<PyTuple>> {
-        Ok(PyTuple::new(py, COLUMNS.map(|(name, _)| name))?.unbind())
+        columns::names(py, &COLUMNS)
     }
 
     fn __len__(&self) -> usize {
@@ -109,12 +105,7 @@ impl Take {
     }
 
     fn column<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyAny>> {
-        let known = COLUMNS.iter().find(|(known, _)| *known == name);
-        let Some((_, value)) = known else {
-            return Err(PyKeyError::new_err(format!("'{name}' is not one of Take.columns")));
-        };
-        let values: Vec<f64> = self.take.ticks.iter().map(value).collect();
-        memoryview_of_doubles(py, &values)
+        columns::column(py, "Take", &COLUMNS, self.take.ticks.iter(), name)
     }
 
     #[getter]

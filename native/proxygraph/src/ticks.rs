@@ -1,16 +1,12 @@
 //! Every tick of a session, by column.
 
-use crate::grid::memoryview_of_doubles;
+use crate::columns::{self, Column};
 use contact::Feature;
-use pyo3::exceptions::PyKeyError;
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 use servo::{Mode, TickRecord};
 
-/// A column's name and how its value is read from a tick.
-type Column = (&'static str, fn(&TickRecord) -> f64);
-
-const COLUMNS: [Column; 31] = [
+const COLUMNS: [Column<TickRecord>; 31] = [
     ("tick", |tick| tick.tick as f64),
     ("time", |tick| tick.time),
     ("hand_x", |tick| tick.hand[0]),
@@ -60,7 +56,7 @@ impl Ticks {
 impl Ticks {
     #[classattr]
     fn columns(py: Python<'_>) -> PyResult<Py<PyTuple>> {
-        Ok(PyTuple::new(py, COLUMNS.map(|(name, _)| name))?.unbind())
+        columns::names(py, &COLUMNS)
     }
 
     fn __len__(&self) -> usize {
@@ -68,12 +64,7 @@ impl Ticks {
     }
 
     fn column<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyAny>> {
-        let known = COLUMNS.iter().find(|(known, _)| *known == name);
-        let Some((_, value)) = known else {
-            return Err(PyKeyError::new_err(format!("'{name}' is not one of Ticks.columns")));
-        };
-        let values: Vec<f64> = self.ticks.iter().map(value).collect();
-        memoryview_of_doubles(py, &values)
+        columns::column(py, "Ticks", &COLUMNS, self.ticks.iter(), name)
     }
 }
 
